@@ -1,0 +1,208 @@
+package io.github.apsis.engine;
+
+import io.github.apsis.engine.CommandResult.Accepted;
+import io.github.apsis.engine.CommandResult.Reason;
+import io.github.apsis.engine.CommandResult.Rejected;
+import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.body.BodyDef;
+import io.github.apsis.engine.body.BodyId;
+import io.github.apsis.engine.body.Ledger;
+import io.github.apsis.engine.collision.Boundary;
+import io.github.apsis.engine.diagnostics.Conserved;
+import io.github.apsis.engine.force.DirectGravity;
+import io.github.apsis.engine.force.ForceLaw;
+import io.github.apsis.engine.force.Forces;
+import io.github.apsis.engine.force.NearestImageGravity;
+import io.github.apsis.engine.integration.Integrator;
+import io.github.apsis.engine.integration.SemiImplicitEuler;
+import io.github.apsis.engine.integration.VelocityVerlet;
+import io.github.apsis.engine.math.Period;
+import io.github.apsis.engine.steering.Steering;
+import io.github.apsis.engine.stepping.TickStepper;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * One simulation: bodies under the laws of a {@link WorldSpec}, advanced tick by tick.
+ *
+ * <p>A world is changed by {@link #apply} and {@link #step} alone, from one thread at a time; what it hands out is a copy.
+ * The same spec and the same commands at the same ticks give the same bits, on every machine.
+ */
+public final class World {
+    private final WorldSpec spec;
+    private final Bodies bodies = new Bodies();
+    private final Forces forces;
+    private final Steering steering;
+    private final TickStepper stepper;
+    private long tick;
+
+    public World(WorldSpec spec) {
+        this.spec = spec;
+        forces = new Forces(lawsOf(spec));
+        steering = steeringOf(spec);
+        stepper = new TickStepper(integratorOf(spec), forces, spec.restitution(), spec.boundary(), spec.dt());
+    }
+
+    /**
+     * Advances by one tick: ships decide, bodies move, contacts bend their paths, the edge of the world has its say.
+     *
+     * @throws IllegalStateException when a body leaves the numbers; the world must not be used any more
+     */
+    public void step() {
+        forces.ensureCurrent(bodies);
+        steering.decide(bodies, tick, spec.dt());
+        stepper.step(bodies);
+        tick++;
+        requireNumbers();
+    }
+
+    /** Does one command now, between two ticks, or says why it cannot be done. */
+    public CommandResult apply(Command command) {
+        if (command instanceof Command.AddBody add) {
+            return add(add);
+        }
+        if (command instanceof Command.RemoveBody remove) {
+            return remove(remove);
+        }
+        if (command instanceof Command.SeekTarget seek) {
+            return seek(seek);
+        }
+        return wander((Command.Wander) command);
+    }
+
+    /**
+     * Adds a body, for callers who know that it can be done.
+     *
+     * @throws IllegalArgumentException when it cannot
+     */
+    public BodyId add(BodyDef body) {
+        CommandResult result = apply(new Command.AddBody(body));
+        if (result instanceof Accepted accepted) {
+            return accepted.body();
+        }
+        throw new IllegalArgumentException("cannot add " + body + ": " + ((Rejected) result).reason());
+    }
+
+    private CommandResult add(Command.AddBody command) {
+        if (bodies.count() >= spec.maxBodies()) {
+            return new Rejected(Reason.WORLD_FULL);
+        }
+        BodyDef body = command.body();
+        if (!spec.boundary().holds(body.x(), body.y(), body.radius())) {
+            return new Rejected(Reason.OUTSIDE_WORLD);
+        }
+        return new Accepted(bodies.id(bodies.add(body)));
+    }
+
+    private CommandResult remove(Command.RemoveBody command) {
+        int slot = bodies.slotOf(command.body());
+        if (slot < 0) {
+            return new Rejected(Reason.NO_SUCH_BODY);
+        }
+        bodies.remove(slot);
+        return new Accepted(command.body());
+    }
+
+    private CommandResult seek(Command.SeekTarget command) {
+        int slot = bodies.slotOf(command.ship());
+        if (slot < 0) {
+            return new Rejected(Reason.NO_SUCH_BODY);
+        }
+        if (!bodies.isShip(slot)) {
+            return new Rejected(Reason.NOT_A_SHIP);
+        }
+        if (!spec.boundary().holds(command.x(), command.y(), 0)) {
+            return new Rejected(Reason.OUTSIDE_WORLD);
+        }
+        bodies.setTarget(slot, command.x(), command.y());
+        return new Accepted(command.ship());
+    }
+
+    private CommandResult wander(Command.Wander command) {
+        int slot = bodies.slotOf(command.ship());
+        if (slot < 0) {
+            return new Rejected(Reason.NO_SUCH_BODY);
+        }
+        if (!bodies.isShip(slot)) {
+            return new Rejected(Reason.NOT_A_SHIP);
+        }
+        bodies.clearTarget(slot);
+        return new Accepted(command.ship());
+    }
+
+    /** An immutable copy of all bodies. */
+    public WorldSnapshot snapshot() {
+        forces.ensureCurrent(bodies);
+        return new WorldSnapshot(tick, time(), bodies);
+    }
+
+    /** The conserved quantities, measured now; costs about as much as the forces of one tick. */
+    public Conserved conserved() {
+        return Conserved.of(bodies, forces);
+    }
+
+    /** The work and the impulses of engines, contacts and walls since the world began. */
+    public Ledger ledger() {
+        return bodies.ledger();
+    }
+
+    /** A hash of the whole state, tick included: equal histories have equal hashes. */
+    public long stateHash() {
+        return bodies.hash() * 31 + tick;
+    }
+
+    /** Ticks since the world began. */
+    public long tick() {
+        return tick;
+    }
+
+    /** tick · dt: never a sum of steps, so it does not drift. */
+    public double time() {
+        return tick * spec.dt();
+    }
+
+    /** How many bodies there are. */
+    public int count() {
+        return bodies.count();
+    }
+
+    public WorldSpec spec() {
+        return spec;
+    }
+
+    private void requireNumbers() {
+        for (int i = 0; i < bodies.count(); i++) {
+            double sum = bodies.x(i) + bodies.y(i) + bodies.vx(i) + bodies.vy(i);
+            if (!Double.isFinite(sum)) {
+                throw new IllegalStateException(
+                        "body " + bodies.idValue(i) + " left the numbers at tick " + tick + ": (" + bodies.x(i) + ", "
+                                + bodies.y(i) + ") at (" + bodies.vx(i) + ", " + bodies.vy(i) + ")");
+            }
+        }
+    }
+
+    private static List<ForceLaw> lawsOf(WorldSpec spec) {
+        List<ForceLaw> laws = new ArrayList<>();
+        if (spec.gravity() > 0) {
+            laws.add(
+                    spec.boundary() instanceof Boundary.Periodic p
+                            ? new NearestImageGravity(spec.gravity(), spec.softening(), p.box())
+                            : new DirectGravity(spec.gravity(), spec.softening()));
+        }
+        laws.addAll(spec.laws());
+        return laws;
+    }
+
+    private static Steering steeringOf(WorldSpec spec) {
+        var walls = spec.boundary() instanceof Boundary.Walls w ? w.box() : null;
+        var period = spec.boundary() instanceof Boundary.Periodic p ? new Period(p.box()) : null;
+        return new Steering(spec.slowingRadius(), spec.seed(), walls, period);
+    }
+
+    private static Integrator integratorOf(WorldSpec spec) {
+        return switch (spec.integration()) {
+            case SEMI_IMPLICIT_EULER -> new SemiImplicitEuler();
+            case VELOCITY_VERLET -> new VelocityVerlet();
+        };
+    }
+}

@@ -1,0 +1,197 @@
+package io.github.apsis.engine;
+
+import io.github.apsis.engine.collision.Boundary;
+import io.github.apsis.engine.force.ForceLaw;
+import io.github.apsis.engine.math.Aabb;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+
+/**
+ * What a world is made of. Only what a spec names is in the tick: without gravity no pair is visited, without contacts no
+ * tree is built.
+ *
+ * <pre>{@code
+ * WorldSpec spec = WorldSpec.builder().gravity(16).contacts(0.8).walls(Aabb.centred(1000, 1000), 0.8).seed(7).build();
+ * }</pre>
+ */
+public final class WorldSpec {
+    /** The tick of 150 Hz, in seconds. */
+    public static final double DEFAULT_DT = 1.0 / 150;
+
+    /** The fastest that an engine of this kind is asked to hold. */
+    public static final int DEFAULT_MAX_BODIES = 100_000;
+
+    private final double gravity;
+    private final double softening;
+    private final List<ForceLaw> laws;
+    private final Integration integration;
+    private final OptionalDouble restitution;
+    private final Boundary boundary;
+    private final double slowingRadius;
+    private final double dt;
+    private final long seed;
+    private final int maxBodies;
+
+    private WorldSpec(Builder builder) {
+        gravity = builder.gravity;
+        softening = builder.softening;
+        laws = List.copyOf(builder.laws);
+        integration = builder.integration;
+        restitution = builder.restitution;
+        boundary = builder.boundary;
+        slowingRadius = builder.slowingRadius;
+        dt = builder.dt;
+        seed = builder.seed;
+        maxBodies = builder.maxBodies;
+    }
+
+    public static Builder builder() {
+        return new Builder();
+    }
+
+    /** G in length³ / (mass · time²); 0 for a world without attraction. */
+    public double gravity() {
+        return gravity;
+    }
+
+    /** Plummer softening, length; 0 for Newton's law. */
+    public double softening() {
+        return softening;
+    }
+
+    /** Further laws beside gravity. */
+    public List<ForceLaw> laws() {
+        return laws;
+    }
+
+    public Integration integration() {
+        return integration;
+    }
+
+    /** Share of the normal speed that is left after a contact; empty for a world without contacts. */
+    public OptionalDouble restitution() {
+        return restitution;
+    }
+
+    public Boundary boundary() {
+        return boundary;
+    }
+
+    /** Distance to its target at which a ship begins to slow down, length. */
+    public double slowingRadius() {
+        return slowingRadius;
+    }
+
+    /** Length of a tick, time. */
+    public double dt() {
+        return dt;
+    }
+
+    public long seed() {
+        return seed;
+    }
+
+    public int maxBodies() {
+        return maxBodies;
+    }
+
+    /** How positions and velocities advance. */
+    public enum Integration {
+        SEMI_IMPLICIT_EULER,
+        VELOCITY_VERLET
+    }
+
+    /** Collects the parts of a world; what is not named is not in it. */
+    public static final class Builder {
+        private double gravity;
+        private double softening;
+        private final List<ForceLaw> laws = new ArrayList<>();
+        private Integration integration = Integration.VELOCITY_VERLET;
+        private OptionalDouble restitution = OptionalDouble.empty();
+        private Boundary boundary = new Boundary.Open();
+        private double slowingRadius = 100;
+        private double dt = DEFAULT_DT;
+        private long seed;
+        private int maxBodies = DEFAULT_MAX_BODIES;
+
+        private Builder() {}
+
+        /** Newtonian attraction between every pair, with this G in length³ / (mass · time²). */
+        public Builder gravity(double bigG) {
+            this.gravity = requirePositive("gravity", bigG);
+            return this;
+        }
+
+        /** Plummer softening of the attraction, length. */
+        public Builder softening(double length) {
+            this.softening = requirePositive("softening", length);
+            return this;
+        }
+
+        /** One more force law, for example a uniform field; it belongs to this world alone. */
+        public Builder law(ForceLaw law) {
+            laws.add(law);
+            return this;
+        }
+
+        public Builder integration(Integration method) {
+            this.integration = method;
+            return this;
+        }
+
+        /** Bodies collide, and leave a contact with this share of their normal speed. */
+        public Builder contacts(double coefficient) {
+            if (!(coefficient >= 0 && coefficient <= 1)) {
+                throw new IllegalArgumentException("restitution must be 0 to 1, was " + coefficient);
+            }
+            this.restitution = OptionalDouble.of(coefficient);
+            return this;
+        }
+
+        /** Four reflecting walls. */
+        public Builder walls(Aabb box, double wallRestitution) {
+            this.boundary = new Boundary.Walls(box, wallRestitution);
+            return this;
+        }
+
+        /** A world that repeats itself. */
+        public Builder periodic(Aabb box) {
+            this.boundary = new Boundary.Periodic(box);
+            return this;
+        }
+
+        public Builder slowingRadius(double length) {
+            this.slowingRadius = requirePositive("slowingRadius", length);
+            return this;
+        }
+
+        /** Length of a tick, in the time unit of the scene. */
+        public Builder dt(double tick) {
+            this.dt = requirePositive("dt", tick);
+            return this;
+        }
+
+        /** Seed of everything random in the world. */
+        public Builder seed(long value) {
+            this.seed = value;
+            return this;
+        }
+
+        public Builder maxBodies(int limit) {
+            this.maxBodies = (int) requirePositive("maxBodies", limit);
+            return this;
+        }
+
+        public WorldSpec build() {
+            return new WorldSpec(this);
+        }
+
+        private static double requirePositive(String name, double value) {
+            if (!(value > 0) || Double.isInfinite(value)) {
+                throw new IllegalArgumentException(name + " must be positive and finite, was " + value);
+            }
+            return value;
+        }
+    }
+}

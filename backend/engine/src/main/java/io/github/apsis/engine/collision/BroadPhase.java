@@ -1,0 +1,86 @@
+package io.github.apsis.engine.collision;
+
+import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.math.Period;
+import io.github.apsis.engine.spatial.Quadtree;
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds the bodies whose paths through the tick come near a body's own: a quadtree over the boxes that the moving circles
+ * sweep, so that nothing fast is overlooked.
+ */
+final class BroadPhase {
+    private final Quadtree tree = new Quadtree();
+    private final @Nullable Period period;
+
+    private double boxMinX;
+    private double boxMinY;
+    private double boxMaxX;
+    private double boxMaxY;
+
+    private int[] near = new int[16];
+
+    BroadPhase(@Nullable Period period) {
+        this.period = period;
+    }
+
+    /** Puts the swept box of every body into the tree. */
+    void build(Bodies bodies, Paths paths) {
+        tree.begin(bodies.count());
+        for (int i = 0; i < bodies.count(); i++) {
+            sweep(bodies, paths, i);
+            tree.set(i, boxMinX, boxMinY, boxMaxX, boxMaxY);
+        }
+        tree.build();
+    }
+
+    private void sweep(Bodies bodies, Paths paths, int i) {
+        double length = paths.dt() - paths.startTime(i);
+        // A parabola leaves its chord by a T²/8 at most.
+        double bulgeX = Math.abs(Paths.accelerationX(bodies, i)) * length * length / 8;
+        double bulgeY = Math.abs(Paths.accelerationY(bodies, i)) * length * length / 8;
+        double reachX = bodies.radius(i) + bulgeX;
+        double reachY = bodies.radius(i) + bulgeY;
+        boxMinX = Math.min(paths.startX(i), bodies.x(i)) - reachX;
+        boxMinY = Math.min(paths.startY(i), bodies.y(i)) - reachY;
+        boxMaxX = Math.max(paths.startX(i), bodies.x(i)) + reachX;
+        boxMaxY = Math.max(paths.startY(i), bodies.y(i)) + reachY;
+    }
+
+    /**
+     * Finds the bodies, in a fixed order, whose original paths may touch the present path of body {@code i}; itself is among
+     * them. In a periodic world also across the seam.
+     *
+     * @return how many; {@link #near} gives them until the next call
+     */
+    int findNear(Bodies bodies, Paths paths, int i) {
+        sweep(bodies, paths, i);
+        int hits = append(0, 0, 0);
+        if (period != null) {
+            for (int column = -1; column <= 1; column++) {
+                for (int row = -1; row <= 1; row++) {
+                    if (column != 0 || row != 0) {
+                        hits = append(hits, column * period.width(), row * period.height());
+                    }
+                }
+            }
+        }
+        return hits;
+    }
+
+    private int append(int before, double shiftX, double shiftY) {
+        int found = tree.query(boxMinX + shiftX, boxMinY + shiftY, boxMaxX + shiftX, boxMaxY + shiftY);
+        if (before + found > near.length) {
+            near = Arrays.copyOf(near, Math.max(2 * near.length, before + found));
+        }
+        for (int hit = 0; hit < found; hit++) {
+            near[before + hit] = tree.found(hit);
+        }
+        return before + found;
+    }
+
+    int near(int hit) {
+        return near[hit];
+    }
+}

@@ -1,0 +1,65 @@
+package io.github.apsis.engine.collision;
+
+import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.math.Period;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where two partners of a contact are to each other: a body and another, or a body and a wall. The normal points from the
+ * first partner to the second; one instance is refilled for every contact.
+ */
+final class ContactGeometry {
+    private final @Nullable WallSet walls;
+    private final @Nullable Period period;
+
+    double nx;
+    double ny;
+    double gap; // length, negative when they overlap
+    double inverseMass; // of the pair, 1/m1 + 1/m2
+
+    ContactGeometry(@Nullable WallSet walls, @Nullable Period period) {
+        this.walls = walls;
+        this.period = period;
+    }
+
+    /** Fills in the geometry of the partners at the given places. */
+    void fill(Bodies bodies, int a, double xa, double ya, int b, double xb, double yb) {
+        if (b < 0) {
+            nx = -WallSet.normalX(b);
+            ny = -WallSet.normalY(b);
+            gap = walls == null ? 0 : walls.gap(b, xa, ya, bodies.radius(a));
+            inverseMass = bodies.inverseMass(a);
+            return;
+        }
+        double dx = xb - xa;
+        double dy = yb - ya;
+        if (period != null) {
+            dx = period.nearestX(dx);
+            dy = period.nearestY(dy);
+        }
+        double distance = Math.sqrt(dx * dx + dy * dy);
+        // Coincident centres have no line between them: the x axis is as good as any, and always the same.
+        nx = distance > 0 ? dx / distance : 1;
+        ny = distance > 0 ? dy / distance : 0;
+        gap = distance - bodies.radius(a) - bodies.radius(b);
+        inverseMass = bodies.inverseMass(a) + bodies.inverseMass(b);
+    }
+
+    /** The geometry where the bodies stand now, at the end of their paths. */
+    void fillNow(Bodies bodies, int a, int b) {
+        double xb = b < 0 ? 0 : bodies.x(b);
+        double yb = b < 0 ? 0 : bodies.y(b);
+        fill(bodies, a, bodies.x(a), bodies.y(a), b, xb, yb);
+    }
+
+    /** The acceleration with which the partners separate along the normal. */
+    double separatingAcceleration(Bodies bodies, int a, int b) {
+        double bx = -Paths.accelerationX(bodies, a);
+        double by = -Paths.accelerationY(bodies, a);
+        if (b >= 0) {
+            bx += Paths.accelerationX(bodies, b);
+            by += Paths.accelerationY(bodies, b);
+        }
+        return bx * nx + by * ny;
+    }
+}

@@ -1,0 +1,41 @@
+package io.github.apsis.engine.collision;
+
+import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.math.Period;
+import java.util.OptionalDouble;
+
+/**
+ * The contacts of a tick, with each other and with walls: first the bounces, each at its true time, then what lies at rest.
+ *
+ * <p>Works on the paths that an integrator has drawn: {@link #begin} before it moves the bodies, {@link #resolve} after.
+ */
+public final class ContactSolver {
+    private final Paths paths = new Paths();
+    private final Impacts impacts;
+    private final RestingContacts resting;
+
+    /**
+     * @param restitution between bodies; empty when they do not collide with each other
+     * @param boundary whose walls, if it has any, are hit as well
+     */
+    public ContactSolver(OptionalDouble restitution, Boundary boundary) {
+        var walls = boundary instanceof Boundary.Walls w ? new WallSet(w.box()) : null;
+        double wallRestitution = boundary instanceof Boundary.Walls w ? w.restitution() : 0;
+        var period = boundary instanceof Boundary.Periodic p ? new Period(p.box()) : null;
+        var broadPhase = restitution.isPresent() ? new BroadPhase(period) : null;
+        var touching = new Touching();
+        impacts = new Impacts(restitution.orElse(0), wallRestitution, broadPhase, walls, period, paths, touching);
+        resting = new RestingContacts(touching, walls, period);
+    }
+
+    /** Remembers where the paths of this tick begin. */
+    public void begin(Bodies bodies, double dt) {
+        paths.begin(bodies, dt);
+    }
+
+    /** Bends the paths at every contact. */
+    public void resolve(Bodies bodies) {
+        impacts.resolve(bodies);
+        resting.resolve(bodies, paths.dt());
+    }
+}

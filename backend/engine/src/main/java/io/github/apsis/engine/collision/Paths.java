@@ -1,0 +1,102 @@
+package io.github.apsis.engine.collision;
+
+import io.github.apsis.engine.body.Bodies;
+import java.util.Arrays;
+
+/**
+ * The paths of all bodies through the present tick: for each the parabola from its last impact, or from the start of the
+ * tick, to where it stands now.
+ *
+ * <pre>
+ *   x(t) = xs + (x1 − xs) (t − ts)/(dt − ts) − a (t − ts)(dt − t)/2        v(t) = v̄ + a (t − dt/2)
+ * </pre>
+ *
+ * where x1 is the position in {@link Bodies}, v̄ the velocity there, which is the mean over the whole tick, and a the
+ * acceleration the path was drawn with.
+ */
+final class Paths {
+    private double dt;
+    private double[] startX = new double[16];
+    private double[] startY = new double[16];
+    private double[] startTime = new double[16];
+    private int[] impacts = new int[16];
+
+    /** Remembers where every body stands, before it moves. */
+    void begin(Bodies bodies, double tick) {
+        dt = tick;
+        int count = bodies.count();
+        if (count > startX.length) {
+            int capacity = Math.max(count, 2 * startX.length);
+            startX = new double[capacity];
+            startY = new double[capacity];
+            startTime = new double[capacity];
+            impacts = new int[capacity];
+        }
+        bodies.copyPositions(startX, startY);
+        Arrays.fill(startTime, 0, count, 0);
+        Arrays.fill(impacts, 0, count, 0);
+    }
+
+    double dt() {
+        return dt;
+    }
+
+    double startX(int i) {
+        return startX[i];
+    }
+
+    double startY(int i) {
+        return startY[i];
+    }
+
+    double startTime(int i) {
+        return startTime[i];
+    }
+
+    /** How often the path has been bent in this tick; also tells whether a prediction is out of date. */
+    int impacts(int i) {
+        return impacts[i];
+    }
+
+    static double accelerationX(Bodies bodies, int i) {
+        return bodies.ax(i) + bodies.thrustX(i) * bodies.inverseMass(i);
+    }
+
+    static double accelerationY(Bodies bodies, int i) {
+        return bodies.ay(i) + bodies.thrustY(i) * bodies.inverseMass(i);
+    }
+
+    double xAt(Bodies bodies, int i, double t) {
+        return at(startX[i], bodies.x(i), startTime[i], accelerationX(bodies, i), t);
+    }
+
+    double yAt(Bodies bodies, int i, double t) {
+        return at(startY[i], bodies.y(i), startTime[i], accelerationY(bodies, i), t);
+    }
+
+    private double at(double start, double end, double from, double acceleration, double t) {
+        return t == from
+                ? start
+                : start + (end - start) * ((t - from) / (dt - from)) - 0.5 * acceleration * (t - from) * (dt - t);
+    }
+
+    double vxAt(Bodies bodies, int i, double t) {
+        return bodies.vx(i) + accelerationX(bodies, i) * (t - 0.5 * dt);
+    }
+
+    double vyAt(Bodies bodies, int i, double t) {
+        return bodies.vy(i) + accelerationY(bodies, i) * (t - 0.5 * dt);
+    }
+
+    /** Bends the path of a body at time t by a change of velocity: it ends elsewhere. */
+    void bend(Bodies bodies, int i, double t, double dvx, double dvy) {
+        double x = xAt(bodies, i, t);
+        double y = yAt(bodies, i, t);
+        bodies.push(i, dvx, dvy);
+        bodies.shift(i, dvx * (dt - t), dvy * (dt - t));
+        startX[i] = x;
+        startY[i] = y;
+        startTime[i] = t;
+        impacts[i]++;
+    }
+}

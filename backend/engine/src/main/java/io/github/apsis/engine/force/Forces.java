@@ -1,0 +1,44 @@
+package io.github.apsis.engine.force;
+
+import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.math.CompensatedSum;
+import java.util.List;
+import java.util.OptionalDouble;
+
+/** The sum of all force laws of a world. */
+public final class Forces {
+    private final ForceLaw[] laws;
+
+    public Forces(List<ForceLaw> laws) {
+        this.laws = laws.toArray(ForceLaw[]::new);
+    }
+
+    /** Makes every acceleration belong to the present positions. */
+    public void evaluate(Bodies bodies) {
+        bodies.clearAccelerations();
+        for (ForceLaw law : laws) {
+            law.apply(bodies);
+        }
+        bodies.completeAccelerations();
+    }
+
+    /** Evaluates only when something has moved since the last time. */
+    public void ensureCurrent(Bodies bodies) {
+        if (!bodies.accelerationsCurrent()) {
+            evaluate(bodies);
+        }
+    }
+
+    /** Potential energy of all laws together; empty when one of them has none. */
+    public OptionalDouble potential(Bodies bodies) {
+        var sum = new CompensatedSum();
+        for (ForceLaw law : laws) {
+            OptionalDouble part = law.potential(bodies);
+            if (part.isEmpty()) {
+                return OptionalDouble.empty();
+            }
+            sum.add(part.getAsDouble());
+        }
+        return OptionalDouble.of(sum.value());
+    }
+}

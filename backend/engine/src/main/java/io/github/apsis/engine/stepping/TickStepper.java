@@ -1,0 +1,53 @@
+package io.github.apsis.engine.stepping;
+
+import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.collision.Boundary;
+import io.github.apsis.engine.collision.ContactSolver;
+import io.github.apsis.engine.force.Forces;
+import io.github.apsis.engine.integration.Integrator;
+import io.github.apsis.engine.math.Period;
+import java.util.OptionalDouble;
+import org.jspecify.annotations.Nullable;
+
+/** How one tick advances the bodies: paths, contacts on them, then the edge of the world. Parts a world lacks are not there. */
+public final class TickStepper {
+    private final Integrator integrator;
+    private final Forces forces;
+    private final @Nullable ContactSolver contacts;
+    private final @Nullable Period period;
+    private final double dt;
+
+    public TickStepper(Integrator integrator, Forces forces, OptionalDouble restitution, Boundary boundary, double dt) {
+        this.integrator = integrator;
+        this.forces = forces;
+        this.contacts = restitution.isPresent() || boundary instanceof Boundary.Walls
+                ? new ContactSolver(restitution, boundary)
+                : null;
+        this.period = boundary instanceof Boundary.Periodic p ? new Period(p.box()) : null;
+        this.dt = dt;
+    }
+
+    public void step(Bodies bodies) {
+        if (contacts != null) {
+            contacts.begin(bodies, dt);
+        }
+        integrator.move(bodies, forces, dt);
+        if (contacts != null) {
+            contacts.resolve(bodies);
+        }
+        if (period != null) {
+            wrap(bodies, period);
+        }
+        integrator.finish(bodies, forces, dt);
+    }
+
+    private static void wrap(Bodies bodies, Period period) {
+        for (int i = 0; i < bodies.count(); i++) {
+            double x = period.insideX(bodies.x(i));
+            double y = period.insideY(bodies.y(i));
+            if (x != bodies.x(i) || y != bodies.y(i)) {
+                bodies.moveTo(i, x, y);
+            }
+        }
+    }
+}

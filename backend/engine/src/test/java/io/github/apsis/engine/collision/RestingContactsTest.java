@@ -1,0 +1,112 @@
+package io.github.apsis.engine.collision;
+
+import static io.github.apsis.engine.ReferenceCase.run;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.apsis.engine.World;
+import io.github.apsis.engine.WorldSnapshot;
+import io.github.apsis.engine.WorldSpec;
+import io.github.apsis.engine.body.BodyDef;
+import io.github.apsis.engine.force.UniformField;
+import io.github.apsis.engine.math.Aabb;
+import io.github.apsis.engine.math.Rng;
+import org.junit.jupiter.api.Test;
+
+class RestingContactsTest {
+    private static final double FIELD = 10; // length / time²
+
+    @Test
+    void a_body_at_rest_on_the_floor_gains_no_energy_and_does_not_sink() {
+        World world = onTheFloor(0.8);
+        world.add(BodyDef.asteroid(0, 1, 3, 1));
+
+        for (int tick = 0; tick < 10_000; tick++) {
+            world.step();
+            WorldSnapshot now = world.snapshot();
+            // The slop of the projection, and not a rounding more.
+            assertThat(now.y(0)).isCloseTo(1, within(2e-7));
+            assertThat(Math.abs(now.vy(0))).isLessThan(1e-12);
+        }
+    }
+
+    @Test
+    void a_stack_of_ten_comes_to_rest_and_stays_there() {
+        World world = onTheFloor(0.5);
+        for (int level = 0; level < 10; level++) {
+            world.add(BodyDef.asteroid(0, 1.05 + 2.1 * level, 1, 1));
+        }
+
+        run(world, 150 * 20);
+        WorldSnapshot settled = world.snapshot();
+        run(world, 150 * 40);
+
+        WorldSnapshot later = world.snapshot();
+        for (int i = 0; i < 10; i++) {
+            assertThat(later.y(i)).isCloseTo(1 + 2 * i, within(0.01)); // half a percent of a diameter
+            assertThat(later.y(i)).isCloseTo(settled.y(i), within(1e-6));
+        }
+    }
+
+    @Test
+    void two_planets_that_pull_each_other_lie_together_without_trembling() {
+        World world = new World(WorldSpec.builder().gravity(1).contacts(0.8).build());
+        world.add(BodyDef.planet(-1, 0, 100, 1));
+        world.add(BodyDef.planet(1, 0, 100, 1));
+
+        run(world, 10_000);
+
+        WorldSnapshot now = world.snapshot();
+        assertThat(now.x(1) - now.x(0)).isCloseTo(2, within(4e-7)); // the slop
+        assertThat(Math.abs(now.vx(0)) + Math.abs(now.vx(1))).isLessThan(1e-12);
+    }
+
+    @Test
+    void bodies_born_inside_each_other_part_without_an_explosion() {
+        World world = new World(WorldSpec.builder().contacts(1).build());
+        world.add(BodyDef.asteroid(0, 0, 1, 1));
+        world.add(BodyDef.asteroid(0, 0, 1, 1)); // coincident: the x axis decides
+        world.add(BodyDef.asteroid(0.5, 0.1, 2, 1));
+
+        run(world, 300);
+
+        WorldSnapshot now = world.snapshot();
+        for (int i = 0; i < 3; i++) {
+            assertThat(Math.hypot(now.vx(i), now.vy(i))).isLessThan(1e-12);
+            for (int j = i + 1; j < 3; j++) {
+                assertThat(Math.hypot(now.x(j) - now.x(i), now.y(j) - now.y(i))).isGreaterThan(2 - 1e-6);
+            }
+        }
+        assertThat((now.x(0) + now.x(1) + 2 * now.x(2)) / 4).isCloseTo(0.25, within(1e-14)); // centre of mass
+    }
+
+    @Test
+    void a_pile_in_a_box_never_has_more_energy_than_it_was_dropped_with() {
+        World world = onTheFloor(0.6);
+        long seed = 5;
+        var rng = new Rng(seed);
+        for (int i = 0; i < 60; i++) {
+            double r = rng.between(0.3, 0.6);
+            world.add(BodyDef.asteroid(-6 + 1.3 * (i % 10), 1 + 1.3 * (i / 10), r * r, r)
+                    .moving(rng.between(-1, 1), 0));
+        }
+        double start = world.conserved().energy().orElseThrow();
+
+        double highest = start;
+        for (int tick = 0; tick < 3000; tick++) {
+            world.step();
+            highest = Math.max(highest, world.conserved().energy().orElseThrow());
+        }
+
+        assertThat(highest).as("seed %d", seed).isLessThanOrEqualTo(start * (1 + 1e-12));
+        assertThat(world.conserved().kinetic()).as("seed %d", seed).isLessThan(1e-3 * start);
+    }
+
+    private static World onTheFloor(double restitution) {
+        return new World(WorldSpec.builder()
+                .law(new UniformField(0, -FIELD))
+                .contacts(restitution)
+                .walls(new Aabb(-8, 0, 8, 100), restitution)
+                .build());
+    }
+}

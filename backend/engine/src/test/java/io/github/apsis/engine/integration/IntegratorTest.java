@@ -1,0 +1,98 @@
+package io.github.apsis.engine.integration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.apsis.engine.ReferenceCase;
+import io.github.apsis.engine.World;
+import io.github.apsis.engine.WorldSpec;
+import io.github.apsis.engine.WorldSpec.Integration;
+import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.body.BodyDef;
+import io.github.apsis.engine.force.DirectGravity;
+import io.github.apsis.engine.force.Forces;
+import io.github.apsis.engine.force.UniformField;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class IntegratorTest {
+    @Test
+    void verlet_has_order_two() {
+        assertThat(measuredOrder(Integration.VELOCITY_VERLET, false)).isCloseTo(2, within(0.1));
+    }
+
+    @Test
+    void semi_implicit_euler_has_order_one_in_energy() {
+        // From a pericentre its position error falls like order 2 by symmetry; the energy error tells.
+        assertThat(measuredOrder(Integration.SEMI_IMPLICIT_EULER, true)).isCloseTo(1, within(0.1));
+    }
+
+    private static double measuredOrder(Integration method, boolean byEnergy) {
+        ReferenceCase orbit = ReferenceCase.of("kepler-e05-equal");
+        double coarse = error(orbit, method, 2, byEnergy);
+        double fine = error(orbit, method, 4, byEnergy);
+        return Math.log(coarse / fine) / Math.log(2);
+    }
+
+    private static double error(ReferenceCase orbit, Integration method, int substeps, boolean byEnergy) {
+        World world = orbit.world(WorldSpec.builder()
+                .gravity(orbit.number("G"))
+                .integration(method)
+                .dt(1.0 / 150 / substeps)
+                .build());
+        double energy0 = world.conserved().energy().orElseThrow();
+        double worst = 0;
+        var sample = orbit.samples().get(2);
+        while (world.tick() < sample.tick() * substeps) {
+            world.step();
+            worst = Math.max(worst, Math.abs(world.conserved().energy().orElseThrow() - energy0));
+        }
+        return byEnergy ? worst : sample.positionError(world.snapshot());
+    }
+
+    @Test
+    void verlet_runs_backwards_to_where_it_came_from() {
+        var bodies = new Bodies();
+        bodies.add(BodyDef.planet(-0.25, 0, 0.5, 0).moving(0, -0.866));
+        bodies.add(BodyDef.planet(0.25, 0, 0.5, 0).moving(0, 0.866));
+        var forces = new Forces(List.of(new DirectGravity(1, 0)));
+        var verlet = new VelocityVerlet();
+
+        for (double dt : new double[] {1.0 / 150, -1.0 / 150}) {
+            for (int tick = 0; tick < 1000; tick++) {
+                verlet.move(bodies, forces, dt);
+                verlet.finish(bodies, forces, dt);
+            }
+        }
+
+        // Time-reversible but for rounding, which an orbit amplifies about linearly.
+        assertThat(bodies.x(1)).isCloseTo(0.25, within(1e-12));
+        assertThat(bodies.vy(1)).isCloseTo(0.866, within(1e-12));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Integration.class)
+    void free_flight_is_exact(Integration method) {
+        World world = new World(WorldSpec.builder().integration(method).dt(0.25).build());
+        world.add(BodyDef.asteroid(1, 2, 1, 1).moving(4, -8));
+
+        ReferenceCase.run(world, 1000);
+
+        assertThat(world.snapshot().x(0)).isEqualTo(1001); // powers of two: no rounding at all
+        assertThat(world.snapshot().y(0)).isEqualTo(-1998);
+    }
+
+    @Test
+    void verlet_is_exact_in_a_uniform_field() {
+        World world = new World(
+                WorldSpec.builder().law(new UniformField(0, -8)).dt(0.25).build());
+        world.add(BodyDef.asteroid(0, 100, 1, 1));
+
+        ReferenceCase.run(world, 16);
+
+        assertThat(world.snapshot().y(0)).isEqualTo(100 - 0.5 * 8 * 16);
+        assertThat(world.snapshot().vy(0)).isEqualTo(-32);
+    }
+}
