@@ -196,7 +196,7 @@ public final class World {
     private static Steering steeringOf(WorldSpec spec) {
         var walls = spec.boundary() instanceof Boundary.Walls w ? w.box() : null;
         var period = spec.boundary() instanceof Boundary.Periodic p ? new Period(p.box()) : null;
-        return new Steering(spec.slowingRadius(), spec.seed(), walls, period);
+        return new Steering(spec.slowingRadius(), spec.gravity(), spec.seed(), walls, period);
     }
 
     private static Integrator integratorOf(WorldSpec spec) {

@@ -7,7 +7,8 @@ import java.util.OptionalDouble;
 /**
  * The contacts of a tick, with each other and with walls: first the bounces, each at its true time, then what lies at rest.
  *
- * <p>Works on the paths that an integrator has drawn: {@link #begin} before it moves the bodies, {@link #resolve} after.
+ * <p>Works on the paths that an integrator has drawn: {@link #begin} before it moves the bodies, {@link #resolve} after,
+ * {@link #settle} when it has finished.
  */
 public final class ContactSolver {
     private final Paths paths = new Paths();
@@ -36,6 +37,11 @@ public final class ContactSolver {
     /** Bends the paths at every contact. */
     public void resolve(Bodies bodies) {
         impacts.resolve(bodies);
-        resting.resolve(bodies, paths.dt());
+        resting.hold(bodies, paths.dt());
+    }
+
+    /** Leaves no pair at rest closing, when positions and velocities belong to the same time. */
+    public void settle(Bodies bodies) {
+        resting.settle(bodies);
     }
 }

@@ -136,26 +136,24 @@ final class Impacts {
         double t = TimeOfImpact.ofCircles(d0x, d0y, d1x, d1y, bx, by, t0, paths.dt(), sumOfRadii);
         if (Double.isNaN(t)) {
             if (d1x * d1x + d1y * d1y < sumOfRadii * sumOfRadii) {
-                touching.add(a, b); // born inside each other, or pressed together: separating, but not yet apart
+                measure(bodies, a, b, t0); // born inside each other, or pressed together: separating, but not yet apart
+                touching.add(a, b, contact);
             }
             return;
         }
         enqueue(bodies, a, b, t);
     }
 
+    /** Queues a bounce at time t, or lists a contact at rest; NaN for a body that is beyond a wall and on its way back. */
     private void enqueue(Bodies bodies, int a, int b, double t) {
-        if (Double.isNaN(t)) {
-            touching.add(a, b);
-            return;
-        }
-        measure(bodies, a, b, t);
+        measure(bodies, a, b, Double.isNaN(t) ? paths.startTime(a) : t);
         if (contact.inverseMass == 0) {
             return; // two fixed bodies
         }
         double pressedPerTick = Math.max(0, -contact.separatingAcceleration(bodies, a, b)) * paths.dt();
         boolean gentle = closingSpeed <= 2 * pressedPerTick + ROUNDING * speeds(bodies, a, b);
-        if (gentle || mostImpacts(a, b) >= 2 * MOST_BOUNCES_PER_BODY) {
-            touching.add(a, b);
+        if (Double.isNaN(t) || gentle || mostImpacts(a, b) >= 2 * MOST_BOUNCES_PER_BODY) {
+            touching.add(a, b, contact);
         } else {
             queue.push(t, a, b, paths.impacts(a), version(b));
         }

@@ -5,16 +5,20 @@ import io.github.apsis.engine.math.Period;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Contacts at rest: bodies that lie on each other neither sink nor tremble.
+ * Contacts at rest: bodies that lie on each other neither sink nor tremble, and a body that slides over another keeps its
+ * energy.
  *
- * <p>Velocities by sequential impulses with accumulated clamping (Catto 2005, GDC, "Iterative dynamics with temporal
- * coherence"): no pair may end the tick closing faster than the gap between them allows, and no contact may pull. Positions
- * afterwards by direct projection, heavy bodies giving way less, so that the centre of mass stays; velocities never learn of
- * it, and what it lifts against the forces is booked.
+ * <p>The method is RATTLE (Andersen 1983, J. Comput. Phys. 52, 24) with contacts that push and never pull. {@link #hold}
+ * changes velocities in the middle of the tick, along the normal of its start, so that no pair ends it deeper in each other
+ * than it began; {@link #settle} takes off what still closes at its end. Both run over all contacts in turn with accumulated,
+ * clamped impulses (sequential impulses, Catto 2005, GDC, "Iterative dynamics with temporal coherence").
+ *
+ * <p>An overlap that was there before is parted by direct projection: velocities never learn of it, heavy bodies give way
+ * less, the centre of mass stays, and what it lifts against the forces is booked.
  */
 final class RestingContacts {
-    private static final int MOST_VELOCITY_ROUNDS = 200;
-    private static final int MOST_POSITION_ROUNDS = 30;
+    private static final int MOST_ROUNDS = 200;
+    private static final int MOST_PARTING_ROUNDS = 30;
 
     /** Rounds go on until the largest correction is this share of the first round's largest: far below what shows. */
     private static final double SETTLED = 1e-9;
@@ -33,63 +37,49 @@ final class RestingContacts {
         this.contact = new ContactGeometry(walls, period);
     }
 
-    void resolve(Bodies bodies, double dt) {
+    /** Keeps every pair from ending the tick deeper in each other, then parts old overlaps. */
+    void hold(Bodies bodies, double dt) {
         if (touching.size() == 0) {
             return;
         }
-        double first = stopAll(bodies, 0, dt);
+        double first = holdAll(bodies, 0, dt);
         double largest = first;
-        for (int round = 1; round < MOST_VELOCITY_ROUNDS && largest > SETTLED * first; round++) {
-            largest = stopAll(bodies, round, dt);
+        for (int round = 1; round < MOST_ROUNDS && largest > SETTLED * first; round++) {
+            largest = holdAll(bodies, round, dt);
         }
         boolean overlapping = true;
-        for (int round = 0; round < MOST_POSITION_ROUNDS && overlapping; round++) {
+        for (int round = 0; round < MOST_PARTING_ROUNDS && overlapping; round++) {
             overlapping = partAll(bodies, round);
         }
     }
 
-    private double stopAll(Bodies bodies, int round, double dt) {
+    /** Takes from every pair that touches the closing speed that the end of the tick has left it. */
+    void settle(Bodies bodies) {
+        if (touching.size() == 0) {
+            return;
+        }
+        touching.clearImpulses();
+        double first = settleAll(bodies, 0);
+        double largest = first;
+        for (int round = 1; round < MOST_ROUNDS && largest > SETTLED * first; round++) {
+            largest = settleAll(bodies, round);
+        }
+    }
+
+    private double holdAll(Bodies bodies, int round, double dt) {
         double largest = 0;
         for (int k = 0; k < touching.size(); k++) {
-            largest = Math.max(largest, stop(bodies, inTurn(k, round), dt));
+            largest = Math.max(largest, hold(bodies, inTurn(k, round), dt));
         }
         return largest;
     }
 
-    /** Every other round runs backwards: what one end of a stack knows reaches the other in one round. */
-    private int inTurn(int k, int round) {
-        return round % 2 == 0 ? k : touching.size() - 1 - k;
-    }
-
-    /** Takes from one contact the closing speed it may not have; returns the change. */
-    private double stop(Bodies bodies, int k, double dt) {
-        int a = touching.first(k);
-        int b = touching.second(k);
-        contact.fillNow(bodies, a, b);
-        if (contact.inverseMass == 0) {
-            return 0;
+    private double settleAll(Bodies bodies, int round) {
+        double largest = 0;
+        for (int k = 0; k < touching.size(); k++) {
+            largest = Math.max(largest, settle(bodies, inTurn(k, round)));
         }
-        double wx = (b < 0 ? 0 : bodies.vx(b)) - bodies.vx(a);
-        double wy = (b < 0 ? 0 : bodies.vy(b)) - bodies.vy(a);
-        // Velocities are those of the middle of the tick; half of the forces' push is still to come.
-        double separating = wx * contact.nx + wy * contact.ny + 0.5 * dt * contact.separatingAcceleration(bodies, a, b);
-        double allowed = -Math.max(0, contact.gap) / dt;
-        double before = touching.impulse(k);
-        double after = Math.max(0, before + (allowed - separating) / contact.inverseMass);
-        double impulse = after - before;
-        if (impulse == 0) {
-            return 0;
-        }
-        touching.setImpulse(k, after);
-        bodies.ledger().bookEnergy(impulse * (separating + 0.5 * impulse * contact.inverseMass));
-        double px = impulse * contact.nx;
-        double py = impulse * contact.ny;
-        bodies.push(a, -px * bodies.inverseMass(a), -py * bodies.inverseMass(a));
-        if (b >= 0) {
-            bodies.push(b, px * bodies.inverseMass(b), py * bodies.inverseMass(b));
-        }
-        Impacts.bookOutside(bodies, a, b, px, py);
-        return Math.abs(impulse) * contact.inverseMass;
+        return largest;
     }
 
     private boolean partAll(Bodies bodies, int round) {
@@ -99,6 +89,88 @@ final class RestingContacts {
             moved |= part(bodies, touching.first(turn), touching.second(turn));
         }
         return moved;
+    }
+
+    /** Every other round runs backwards: what one end of a stack knows reaches the other in one round. */
+    private int inTurn(int k, int round) {
+        return round % 2 == 0 ? k : touching.size() - 1 - k;
+    }
+
+    private double hold(Bodies bodies, int k, double dt) {
+        int a = touching.first(k);
+        int b = touching.second(k);
+        contact.fillNow(bodies, a, b);
+        if (contact.inverseMass == 0) {
+            return 0;
+        }
+        double missing = Math.min(0, touching.firstGap(k)) - contact.gap;
+        double impulse = addedImpulse(k, missing / dt);
+        if (impulse == 0) {
+            return 0;
+        }
+        double px = impulse * touching.normalX(k);
+        double py = impulse * touching.normalY(k);
+        double halfTick = 0.5 * dt;
+        bookWork(bodies, a, b, px, py, halfTick);
+        push(bodies, a, b, px, py);
+        lift(bodies, a, -px * dt, -py * dt);
+        if (b >= 0) {
+            lift(bodies, b, px * dt, py * dt);
+        }
+        return Math.abs(impulse) * contact.inverseMass;
+    }
+
+    private double settle(Bodies bodies, int k) {
+        int a = touching.first(k);
+        int b = touching.second(k);
+        contact.fillNow(bodies, a, b);
+        double size = bodies.radius(a) + (b < 0 ? 0 : bodies.radius(b));
+        if (contact.inverseMass == 0 || contact.gap > SLOP * size) {
+            return 0;
+        }
+        double wx = (b < 0 ? 0 : bodies.vx(b)) - bodies.vx(a);
+        double wy = (b < 0 ? 0 : bodies.vy(b)) - bodies.vy(a);
+        double impulse = addedImpulse(k, -(wx * contact.nx + wy * contact.ny));
+        if (impulse == 0) {
+            return 0;
+        }
+        double px = impulse * contact.nx;
+        double py = impulse * contact.ny;
+        bookWork(bodies, a, b, px, py, 0);
+        push(bodies, a, b, px, py);
+        return Math.abs(impulse) * contact.inverseMass;
+    }
+
+    /** The impulse that adds this separating speed, cut so that the contact's impulses together never pull. */
+    private double addedImpulse(int k, double speed) {
+        double before = touching.impulse(k);
+        double after = Math.max(0, before + speed / contact.inverseMass);
+        touching.setImpulse(k, after);
+        return after - before;
+    }
+
+    /**
+     * Books the work p · (w + p/2m) of an impulse on the velocities that the forces will have made of these by the end of the
+     * tick; thrust books its own work when it comes.
+     */
+    private static void bookWork(Bodies bodies, int a, int b, double px, double py, double untilEnd) {
+        double wx = -bodies.vx(a) - untilEnd * bodies.ax(a);
+        double wy = -bodies.vy(a) - untilEnd * bodies.ay(a);
+        double inverseMass = bodies.inverseMass(a);
+        if (b >= 0) {
+            wx += bodies.vx(b) + untilEnd * bodies.ax(b);
+            wy += bodies.vy(b) + untilEnd * bodies.ay(b);
+            inverseMass += bodies.inverseMass(b);
+        }
+        bodies.ledger().bookEnergy(px * wx + py * wy + 0.5 * inverseMass * (px * px + py * py));
+        Impacts.bookOutside(bodies, a, b, px, py);
+    }
+
+    private static void push(Bodies bodies, int a, int b, double px, double py) {
+        bodies.push(a, -px * bodies.inverseMass(a), -py * bodies.inverseMass(a));
+        if (b >= 0) {
+            bodies.push(b, px * bodies.inverseMass(b), py * bodies.inverseMass(b));
+        }
     }
 
     private boolean part(Bodies bodies, int a, int b) {
@@ -115,9 +187,11 @@ final class RestingContacts {
         return true;
     }
 
-    /** Moves a body by {@code (mx, my) / m}, and books what that lifts it against the forces. */
+    /** Moves a free body by {@code (mx, my) / m}, and books what that lifts it against the forces. */
     private static void lift(Bodies bodies, int i, double mx, double my) {
-        bodies.ledger().bookEnergy(-(mx * bodies.ax(i) + my * bodies.ay(i)) * (bodies.isFixed(i) ? 0 : 1));
-        bodies.shift(i, mx * bodies.inverseMass(i), my * bodies.inverseMass(i));
+        if (!bodies.isFixed(i)) {
+            bodies.ledger().bookEnergy(-(mx * bodies.ax(i) + my * bodies.ay(i)));
+            bodies.shift(i, mx * bodies.inverseMass(i), my * bodies.inverseMass(i));
+        }
     }
 }

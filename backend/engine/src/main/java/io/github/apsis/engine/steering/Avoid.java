@@ -13,6 +13,9 @@ import org.jspecify.annotations.Nullable;
  *   t* = −(r·v)/v²     m = r + v t*     S = r1 + r2 + margin     |m| &lt; S:  a = −m̂ · 2 (S − |m|) / t*²
  * </pre>
  *
+ * <p>A body whose gravity comes near what the engine can give counts as large as the circle where it does: beyond that
+ * circle the ship can still leave.
+ *
  * <p>r and v are relative; t* is cut to the horizon. Head-on, where m has no direction, everybody turns to the right. A share
  * of the push brakes. Pushes add up, capped at what the engine can give.
  */
@@ -23,11 +26,15 @@ final class Avoid {
     private static final double BRAKING = 0.35; // share of the push that slows the approach
     private static final double HEAD_ON = 0.05; // of S: below this miss distance the side is arbitrary
 
+    private static final double ESCAPABLE = 0.7; // share of the largest acceleration that gravity may take
+
     private final Quadtree tree;
+    private final double gravity; // G, length³ / (mass · time²)
     private final @Nullable Period period;
 
-    Avoid(Quadtree tree, @Nullable Period period) {
+    Avoid(Quadtree tree, double gravity, @Nullable Period period) {
         this.tree = tree;
+        this.gravity = gravity;
         this.period = period;
     }
 
@@ -61,7 +68,9 @@ final class Avoid {
         double closing = -(rx * vx + ry * vy);
         double distance = Math.sqrt(rx * rx + ry * ry);
         double margin = MARGIN * bodies.radius(i);
-        double touch = bodies.radius(i) + bodies.radius(other);
+        double pull = gravity * bodies.mass(other) / (ESCAPABLE * most);
+        double size = bodies.radius(other);
+        double touch = bodies.radius(i) + (pull > size * size ? Math.sqrt(pull) : size);
         double clear = touch + margin;
         if (distance < clear && distance > 0) {
             // Inside the margin already: straight away from it, harder the closer.

@@ -29,14 +29,15 @@ public final class Steering {
 
     /**
      * @param slowingRadius of arrivals, length
+     * @param gravity G of the world, length³ / (mass · time²); 0 without attraction
      * @param seed of the wanderers
      * @param walls that wanderers turn away from
      * @param period of a world that repeats itself
      */
-    public Steering(double slowingRadius, long seed, @Nullable Aabb walls, @Nullable Period period) {
+    public Steering(double slowingRadius, double gravity, long seed, @Nullable Aabb walls, @Nullable Period period) {
         seek = new Seek(slowingRadius);
         wander = new Wander(seed, walls);
-        avoid = new Avoid(tree, period);
+        avoid = new Avoid(tree, gravity, period);
     }
 
     /** Sets the thrust of every ship; accelerations must belong to the present positions. */

@@ -39,6 +39,9 @@ public final class TickStepper {
             wrap(bodies, period);
         }
         integrator.finish(bodies, forces, dt);
+        if (contacts != null) {
+            contacts.settle(bodies);
+        }
     }
 
     private static void wrap(Bodies bodies, Period period) {
