@@ -3,6 +3,7 @@ package io.github.apsis.engine;
 import static io.github.apsis.engine.ReferenceCase.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import io.github.apsis.engine.CommandResult.Accepted;
 import io.github.apsis.engine.CommandResult.Reason;
@@ -128,6 +129,19 @@ class WorldTest {
         assertThatThrownBy(() -> BodyDef.planet(0, 0, mass, 1))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("mass must be positive and finite, was " + mass);
+    }
+
+    @Test
+    void what_holds_a_fixed_body_stands_in_the_ledger() {
+        World held = new World(WorldSpec.builder().gravity(16).build());
+        held.add(BodyDef.planet(0, 0, 1000, 1).fixed());
+        held.add(BodyDef.asteroid(50, 0, 3, 1).moving(0, 20));
+
+        run(held, 500);
+
+        var now = held.conserved();
+        assertThat(now.momentumX() - held.ledger().momentumX()).isCloseTo(0, within(1e-12 * now.momentumScale()));
+        assertThat(now.momentumY() - held.ledger().momentumY()).isCloseTo(60, within(1e-12 * now.momentumScale()));
     }
 
     @Test

@@ -17,6 +17,8 @@ public final class Bodies {
     private long lastId;
     private boolean accelerationsCurrent;
     private final Ledger ledger = new Ledger();
+    private double heldX; // force of the laws on all fixed bodies together, mass · length / time²
+    private double heldY;
 
     private long[] id = new long[16];
     private BodyKind[] kind = new BodyKind[16];
@@ -252,6 +254,9 @@ public final class Bodies {
         for (int i : ships) {
             kickByThrust(i, h);
         }
+        if (heldX != 0 || heldY != 0) {
+            ledger.bookMomentum(-heldX * h, -heldY * h); // what holds the fixed bodies pushes on the world
+        }
     }
 
     private void kickByThrust(int i, double h) {
@@ -272,10 +277,14 @@ public final class Bodies {
         Arrays.fill(ay, 0, count, 0);
     }
 
-    /** Fixed bodies attract and are not attracted: called when all laws have spoken. */
+    /** Fixed bodies attract and are held against what attracts them: called when all laws have spoken. */
     public void completeAccelerations() {
+        heldX = 0;
+        heldY = 0;
         for (int i = 0; i < count; i++) {
             if (inverseMass[i] == 0) {
+                heldX += mass[i] * ax[i];
+                heldY += mass[i] * ay[i];
                 ax[i] = 0;
                 ay[i] = 0;
             }
