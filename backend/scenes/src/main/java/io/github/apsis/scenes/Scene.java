@@ -1,0 +1,40 @@
+package io.github.apsis.scenes;
+
+import io.github.apsis.engine.World;
+import io.github.apsis.engine.WorldSpec;
+import io.github.apsis.engine.math.Aabb;
+import java.util.List;
+
+/** A named recipe that yields a world: its laws and its bodies, the same for the same seed. */
+public interface Scene {
+    /** For programs and command lines, for example {@code belt-and-swarm}. */
+    String name();
+
+    /** For people, for example {@code Belt and swarm}. */
+    String title();
+
+    Units units();
+
+    /** The part of the world that is worth looking at first. */
+    Aabb view();
+
+    Measures measures();
+
+    /** The laws of the world. */
+    WorldSpec spec(long seed);
+
+    /** The bodies that it starts with. */
+    List<SceneBody> bodies(long seed);
+
+    /** What a random body of this scene is like, and where it may be put. */
+    Palette palette();
+
+    /** A world with all bodies in it, for those who do not care how they look. */
+    default World world(long seed) {
+        World world = new World(spec(seed));
+        for (SceneBody body : bodies(seed)) {
+            world.add(body.def());
+        }
+        return world;
+    }
+}
