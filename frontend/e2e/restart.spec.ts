@@ -1,0 +1,32 @@
+import { type Apsis, startApsis } from './apsis';
+import { expect, find, openLive, test } from './test';
+
+let apsis: Apsis;
+
+test.beforeAll(async () => {
+  apsis = await startApsis({ scene: 'belt-and-swarm' });
+});
+
+test.afterAll(() => apsis.stop());
+
+test.use({ mayLoseServer: true });
+
+test('the_page_survives_a_restart_of_the_server', async ({ page }) => {
+  await openLive(page, apsis.url);
+  await find(page, 'ship');
+  const ship = page.getByRole('listitem').getByRole('button', { name: /^Ship/ }).first();
+  const name = (await ship.getAttribute('aria-label'))!.split(',')[0]!;
+  await ship.click();
+
+  await apsis.kill();
+  await expect(page.getByRole('alert').filter({ hasText: 'Connection lost.' })).toBeVisible();
+  await expect(page.getByText(/You see the last frame, \d+ s old/)).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Add planet' })).toBeDisabled();
+
+  await apsis.start();
+  // Within two seconds of the server, without a reload, with the selection.
+  await expect(page.getByText(/^(Live|Delay)/)).toBeVisible({ timeout: 2500 });
+  await expect(page.getByText('Connection lost.')).toBeHidden();
+  await expect(page.getByRole('heading', { name })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Add planet' })).toBeEnabled();
+});

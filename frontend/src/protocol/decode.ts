@@ -1,0 +1,80 @@
+import type { BodyId, Vec2 } from './frame';
+import type { Boundary, Bounds, Diagnostics, Problem, Reply, Room } from './messages';
+import { BadMessage, parse, readArray, readNullable, readNumber, readObject, readString } from './read';
+
+/** Decodes the answer of `/app/room`. */
+export function decodeRoom(text: string): Room {
+  const room = readObject(parse(text, 'room'), 'room');
+  const units = readObject(room.units, 'units');
+  return {
+    room: readString(room, 'room'),
+    scene: readString(room, 'scene'),
+    title: readString(room, 'title'),
+    units: { length: readString(units, 'length'), mass: readString(units, 'mass'), time: readString(units, 'time') },
+    boundary: boundary(room.boundary),
+    view: bounds(readObject(room.view, 'view')),
+    tickRate: readNumber(room, 'tickRate'),
+    frameRate: readNumber(room, 'frameRate'),
+    maxBodies: readNumber(room, 'maxBodies'),
+  };
+}
+
+/** Decodes `/topic/diagnostics`. */
+export function decodeDiagnostics(text: string): Diagnostics {
+  const from = readObject(parse(text, 'diagnostics'), 'diagnostics');
+  const tickMillis = readObject(from.tickMillis, 'tickMillis');
+  return {
+    tick: readNumber(from, 'tick'),
+    time: readNumber(from, 'time'),
+    ticksPerSecond: readNumber(from, 'ticksPerSecond'),
+    tickMillis: { p50: readNumber(tickMillis, 'p50'), p99: readNumber(tickMillis, 'p99') },
+    lateTicks: readNumber(from, 'lateTicks'),
+    droppedTicks: readNumber(from, 'droppedTicks'),
+    bodies: readNumber(from, 'bodies'),
+    clients: readNumber(from, 'clients'),
+    energy: readNullable(from, 'energy', readNumber),
+    energyDrift: readNullable(from, 'energyDrift', readNumber),
+    momentum: readNullable(from, 'momentum', readVec2),
+    momentumDrift: readNullable(from, 'momentumDrift', readNumber),
+  };
+}
+
+/** Decodes `/user/queue/replies`. */
+export function decodeReply(text: string): Reply {
+  const reply = readObject(parse(text, 'reply'), 'reply');
+  const ids = readArray(reply.ids, 'ids');
+  if (!ids.every(Number.isSafeInteger)) throw new BadMessage(`ids must be integers, was ${JSON.stringify(ids)}`);
+  return { command: readString(reply, 'command'), ids: ids as readonly BodyId[], tick: readNumber(reply, 'tick') };
+}
+
+/** Decodes `/user/queue/errors`, and the body of a STOMP ERROR frame. */
+export function decodeProblem(text: string): Problem {
+  const problem = readObject(parse(text, 'problem'), 'problem');
+  return {
+    code: readString(problem, 'code'),
+    message: readString(problem, 'message'),
+    field: readNullable(problem, 'field', readString),
+  };
+}
+
+function boundary(value: unknown): Boundary {
+  const from = readObject(value, 'boundary');
+  const kind = readString(from, 'kind');
+  if (kind === 'open') return { kind };
+  if (kind === 'walls' || kind === 'periodic') return { kind, ...bounds(from) };
+  throw new BadMessage(`boundary must be open, walls or periodic, was ${kind}`);
+}
+
+function bounds(from: ReturnType<typeof readObject>): Bounds {
+  return {
+    minX: readNumber(from, 'minX'),
+    minY: readNumber(from, 'minY'),
+    maxX: readNumber(from, 'maxX'),
+    maxY: readNumber(from, 'maxY'),
+  };
+}
+
+function readVec2(from: ReturnType<typeof readObject>, key: string): Vec2 {
+  const vector = readObject(from[key], key);
+  return { x: readNumber(vector, 'x'), y: readNumber(vector, 'y') };
+}

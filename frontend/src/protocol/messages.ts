@@ -1,0 +1,49 @@
+import type { BodyId, Vec2 } from './frame';
+
+export type Bounds = {
+  readonly minX: number;
+  readonly minY: number;
+  readonly maxX: number;
+  readonly maxY: number;
+};
+
+/** The edge of the world. */
+export type Boundary = { readonly kind: 'open' } | ({ readonly kind: 'walls' | 'periodic' } & Bounds);
+
+/** What a client needs to know of its room before the first frame. */
+export type Room = {
+  readonly room: string;
+  readonly scene: string;
+  readonly title: string;
+  readonly units: { readonly length: string; readonly mass: string; readonly time: string };
+  readonly boundary: Boundary;
+  /** The part of the world that is worth looking at first. */
+  readonly view: Bounds;
+  /** Ticks per second of wall time. */
+  readonly tickRate: number;
+  readonly frameRate: number;
+  readonly maxBodies: number;
+};
+
+/** How the room is doing, a few times a second. */
+export type Diagnostics = {
+  readonly tick: number;
+  readonly time: number;
+  readonly ticksPerSecond: number;
+  readonly tickMillis: { readonly p50: number; readonly p99: number };
+  readonly lateTicks: number;
+  readonly droppedTicks: number;
+  readonly bodies: number;
+  readonly clients: number;
+  /** The last four are null where the scene does not ask for them. */
+  readonly energy: number | null;
+  readonly energyDrift: number | null;
+  readonly momentum: Vec2 | null;
+  readonly momentumDrift: number | null;
+};
+
+/** What became of an accepted command. */
+export type Reply = { readonly command: string; readonly ids: readonly BodyId[]; readonly tick: number };
+
+/** Why a command was refused: a code for programs, a sentence for people. */
+export type Problem = { readonly code: string; readonly message: string; readonly field: string | null };

@@ -1,0 +1,31 @@
+import type { Asteroid, BodyId, BodyState, Frame, Planet, Ship } from '../protocol/frame';
+
+// Bodies and frames for tests: everything at rest at the origin, unless said otherwise.
+
+const still = { velocity: { x: 0, y: 0 }, acceleration: { x: 0, y: 0 }, mass: 12, radius: 8, selected: false };
+
+export const bodyId = (id: number) => id as BodyId;
+
+export function planet(id: number, x = 0, y = 0, more: Partial<Planet> = {}): Planet {
+  return { ...still, id: bodyId(id), kind: 'planet', position: { x, y }, ...more };
+}
+
+export function ship(id: number, x = 0, y = 0, more: Partial<Ship> = {}): Ship {
+  return { ...still, id: bodyId(id), kind: 'ship', position: { x, y }, thrust: 0, ...more };
+}
+
+export function asteroid(id: number, x = 0, y = 0, more: Partial<Asteroid> = {}): Asteroid {
+  const vertices = [
+    { x: 8, y: 0 },
+    { x: -4, y: 7 },
+    { x: -4, y: -7 },
+  ];
+  return { ...still, id: bodyId(id), kind: 'asteroid', position: { x, y }, angle: 0, vertices, ...more };
+}
+
+/** Ticks are 1/150 of a time unit; a frame comes every fifth. */
+export function frame(tick: number, ...bodies: BodyState[]): Frame {
+  return { tick, time: tick / 150, sent: tick * 6.6667, bodies };
+}
+
+export const FRAME_MS = 1000 / 30;
