@@ -1,0 +1,13 @@
+package io.github.apsis.server.room;
+
+/**
+ * Where a room's moments go. Called on the room's tick thread: returns at once, never blocks and never throws. What it is
+ * given is immutable.
+ */
+public interface FrameSink {
+    /** The bodies, at the frame rate of the room. */
+    void publish(RoomFrame frame);
+
+    /** How the room is doing, four times a second. */
+    void publish(RoomReadings readings);
+}

@@ -1,0 +1,267 @@
+package io.github.apsis.server.room;
+
+import io.github.apsis.engine.Command;
+import io.github.apsis.engine.CommandResult;
+import io.github.apsis.engine.World;
+import io.github.apsis.engine.WorldSnapshot;
+import io.github.apsis.engine.WorldSpec;
+import io.github.apsis.engine.body.BodyId;
+import io.github.apsis.engine.body.BodyKind;
+import io.github.apsis.engine.math.Vec2;
+import io.github.apsis.scenes.Measures;
+import io.github.apsis.scenes.RandomBodies;
+import io.github.apsis.scenes.SceneBody;
+import io.github.apsis.server.room.Outcome.Done;
+import io.github.apsis.server.room.Outcome.Reason;
+import io.github.apsis.server.room.Outcome.Refused;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One simulation that people watch and steer: a world, its command queue, its selections and its sink.
+ *
+ * <p>{@link #submit} and {@link #leave} may be called on any thread and return at once. Everything else belongs to the
+ * tick thread, the only one that touches the world; answers are given there too, so an answer must not block.
+ */
+public final class Room {
+    static final int QUEUE_CAPACITY = 1024;
+
+    /** Every new body costs one evaluation of the forces and a search for its place: this many leave the tick its time. */
+    static final int MOST_COMMANDS_PER_TICK = 8;
+
+    private static final int READINGS_PER_SECOND = 4;
+
+    private final RoomSpec spec;
+    private final WorldSpec laws;
+    private final World world;
+    private final RandomBodies randomBodies;
+    private final FrameSink sink;
+    private final Supplier<Pace> pace;
+    private final Selections selections = new Selections();
+    private final Appearances appearances = new Appearances();
+    private final ConservationMeter conservation = new ConservationMeter();
+    private final CommandQueue<Runnable> commands = new CommandQueue<>(QUEUE_CAPACITY);
+    private @Nullable WorldSnapshot now;
+    private volatile int bodies;
+    private volatile boolean closed;
+
+    /** Opens the room: builds the world of its scene. {@code pace} is asked on the tick thread. */
+    Room(RoomSpec spec, FrameSink sink, Supplier<Pace> pace) {
+        this.spec = spec;
+        this.sink = sink;
+        this.pace = pace;
+        this.laws = spec.scene().spec(spec.seed());
+        this.world = new World(laws);
+        this.randomBodies = new RandomBodies(spec.scene().palette(), laws, spec.seed());
+        spec.scene().bodies(spec.seed()).forEach(body -> wear(world.add(body.def()), body));
+    }
+
+    /** Queues a request; the answer comes on the tick thread, or at once on this one when the room cannot take it. */
+    void submit(ClientId client, Request request, Consumer<Outcome> answer) {
+        boolean queued = !closed && commands.offer(() -> answer.accept(closed ? busy() : outcome(client, request)));
+        if (!queued) {
+            answer.accept(busy());
+        } else if (closed) {
+            refuseAll();
+        }
+    }
+
+    /** The client is gone, and its selection with it. */
+    void leave(ClientId client) {
+        commands.force(() -> {
+            if (!closed) {
+                selections.leave(client);
+            }
+        });
+    }
+
+    /** One tick: what has arrived, then physics, then what is due to be seen. */
+    void tick() {
+        commands.drain(MOST_COMMANDS_PER_TICK, Runnable::run);
+        world.step();
+        now = null;
+        bodies = world.count();
+        if (isDue(spec.framesPerSecond())) {
+            sink.publish(new RoomFrame(snapshot(), appearances.copy(), selections.ofAnyone()));
+        }
+        if (isDue(READINGS_PER_SECOND)) {
+            sink.publish(readings());
+        }
+    }
+
+    /** Refuses what waits and what still comes. */
+    void close() {
+        closed = true;
+        refuseAll();
+    }
+
+    /** How many there were after the last tick. Any thread. */
+    int bodies() {
+        return bodies;
+    }
+
+    long worldTick() {
+        return world.tick();
+    }
+
+    private synchronized void refuseAll() {
+        commands.drain(Integer.MAX_VALUE, Runnable::run);
+    }
+
+    /** The bodies as they are now, copied when someone asks, and once only until they change. */
+    private WorldSnapshot snapshot() {
+        if (now == null) {
+            now = world.snapshot();
+        }
+        return now;
+    }
+
+    private void bodiesChanged() {
+        now = null;
+        conservation.reset();
+    }
+
+    /** Whether the n-th part of a second has just begun. */
+    private boolean isDue(int timesPerSecond) {
+        long tick = world.tick();
+        return tick * timesPerSecond / TickLoop.TICKS_PER_SECOND
+                != (tick - 1) * timesPerSecond / TickLoop.TICKS_PER_SECOND;
+    }
+
+    private RoomReadings readings() {
+        boolean asked = spec.scene().measures() == Measures.ENERGY_AND_MOMENTUM
+                && world.count() <= ConservationMeter.MOST_BODIES;
+        return new RoomReadings(
+                world.tick(),
+                world.time(),
+                pace.get(),
+                world.count(),
+                asked ? Optional.of(conservation.measure(world)) : Optional.empty());
+    }
+
+    private Outcome outcome(ClientId client, Request request) {
+        if (request instanceof Request.AddRandom add) {
+            return add(add.what());
+        } else if (request instanceof Request.Remove remove) {
+            return remove(remove.body());
+        } else if (request instanceof Request.MoveSelectedShips move) {
+            return move(client, new Vec2(move.x(), move.y()));
+        } else if (request instanceof Request.Select select) {
+            return select(select.body(), () -> selections.select(client, select.body()));
+        } else {
+            BodyId body = ((Request.Deselect) request).body();
+            return select(body, () -> selections.deselect(client, body));
+        }
+    }
+
+    private Outcome add(Request.RandomBody what) {
+        if (world.count() >= spec.maxBodies()) {
+            return new Refused(Reason.WORLD_FULL);
+        }
+        Optional<SceneBody> body = randomBody(what, snapshot());
+        return body.isPresent() ? add(body.get()) : new Refused(Reason.NO_ROOM);
+    }
+
+    private Optional<SceneBody> randomBody(Request.RandomBody what, WorldSnapshot now) {
+        return switch (what) {
+            case PLANET -> randomBodies.planet(now);
+            case ASTEROID -> randomBodies.asteroid(now);
+            case SHIP -> randomBodies.ship(now);
+            case ANY -> randomBodies.any(now);
+        };
+    }
+
+    private Outcome add(SceneBody body) {
+        CommandResult result = world.apply(new Command.AddBody(body.def()));
+        if (result instanceof CommandResult.Accepted accepted) {
+            wear(accepted.body(), body);
+            bodiesChanged();
+        }
+        return outcome(result);
+    }
+
+    private void wear(BodyId id, SceneBody body) {
+        if (body.look() != null) {
+            appearances.put(id, new Appearance(body.look(), world.time()));
+        }
+    }
+
+    private Outcome remove(BodyId body) {
+        CommandResult result = world.apply(new Command.RemoveBody(body));
+        if (result instanceof CommandResult.Accepted) {
+            selections.forget(body);
+            appearances.forget(body);
+            bodiesChanged();
+        }
+        return outcome(result);
+    }
+
+    private Outcome select(BodyId body, Runnable change) {
+        if (snapshot().indexOf(body) < 0) {
+            return new Refused(Reason.NO_SUCH_BODY);
+        }
+        change.run();
+        return done(List.of(body));
+    }
+
+    private Outcome move(ClientId client, Vec2 point) {
+        WorldSnapshot bodies = snapshot();
+        List<Integer> ships = shipsOf(client, bodies);
+        if (ships.isEmpty()) {
+            return new Refused(Reason.NO_SHIP_SELECTED);
+        }
+        if (Edges.isOutside(laws.boundary(), point)) {
+            return new Refused(Reason.OUTSIDE_WORLD);
+        }
+        // The nearest ship takes the point itself, the next ones the rings around it: few paths cross.
+        ships.sort(Comparator.comparingDouble(i -> Math.hypot(bodies.x(i) - point.x(), bodies.y(i) - point.y())));
+        double largest = ships.stream().mapToDouble(bodies::radius).max().orElseThrow();
+        List<Vec2> slots = Formation.around(point, ships.size(), largest, laws.boundary());
+        List<BodyId> sent = new ArrayList<>();
+        for (int i = 0; i < ships.size(); i++) {
+            BodyId ship = bodies.id(ships.get(i));
+            Vec2 slot = slots.get(i);
+            if (world.apply(new Command.SeekTarget(ship, slot.x(), slot.y())) instanceof CommandResult.Accepted) {
+                sent.add(ship);
+            }
+        }
+        return done(sent);
+    }
+
+    private List<Integer> shipsOf(ClientId client, WorldSnapshot bodies) {
+        List<Integer> ships = new ArrayList<>();
+        for (BodyId body : selections.of(client)) {
+            int i = bodies.indexOf(body);
+            if (i >= 0 && bodies.kind(i) == BodyKind.SHIP) {
+                ships.add(i);
+            }
+        }
+        return ships;
+    }
+
+    private Outcome outcome(CommandResult result) {
+        if (result instanceof CommandResult.Accepted accepted) {
+            return done(List.of(accepted.body()));
+        }
+        return new Refused(
+                switch (((CommandResult.Rejected) result).reason()) {
+                    case NO_SUCH_BODY -> Reason.NO_SUCH_BODY;
+                    case NOT_A_SHIP -> Reason.NO_SHIP_SELECTED;
+                    case OUTSIDE_WORLD -> Reason.OUTSIDE_WORLD;
+                    case WORLD_FULL -> Reason.WORLD_FULL;
+                });
+    }
+
+    private Outcome done(List<BodyId> bodies) {
+        return new Done(bodies, world.tick() + 1);
+    }
+
+    private static Outcome busy() {
+        return new Refused(Reason.ROOM_BUSY);
+    }
+}

@@ -1,0 +1,104 @@
+package io.github.apsis.server.web;
+
+import io.github.apsis.engine.body.BodyId;
+import io.github.apsis.engine.collision.Boundary;
+import io.github.apsis.engine.math.Aabb;
+import io.github.apsis.engine.math.Vec2;
+import io.github.apsis.protocol.ClientMessage;
+import io.github.apsis.protocol.Diagnostics;
+import io.github.apsis.protocol.Kind;
+import io.github.apsis.protocol.Point;
+import io.github.apsis.protocol.Reply;
+import io.github.apsis.protocol.RoomInfo;
+import io.github.apsis.scenes.Scene;
+import io.github.apsis.scenes.Units;
+import io.github.apsis.server.room.Conservation;
+import io.github.apsis.server.room.Edges;
+import io.github.apsis.server.room.Outcome;
+import io.github.apsis.server.room.Pace;
+import io.github.apsis.server.room.Request;
+import io.github.apsis.server.room.RoomReadings;
+import io.github.apsis.server.room.RoomSpec;
+import java.util.OptionalDouble;
+import org.jspecify.annotations.Nullable;
+
+/** Turns the words of the treaty into those of the rooms, and back. */
+final class ProtocolMapper {
+    private static final int TICK_RATE = 150;
+
+    private ProtocolMapper() {}
+
+    static Request toRequest(ClientMessage.Add add) {
+        Kind kind = add.kind();
+        return new Request.AddRandom(kind == null ? Request.RandomBody.ANY : Request.RandomBody.valueOf(kind.name()));
+    }
+
+    static Request toRequest(ClientMessage.Select select) {
+        BodyId body = new BodyId(select.id());
+        return select.selected() ? new Request.Select(body) : new Request.Deselect(body);
+    }
+
+    static Request toRequest(ClientMessage.Delete delete) {
+        return new Request.Remove(new BodyId(delete.id()));
+    }
+
+    static Request toRequest(ClientMessage.Move move) {
+        return new Request.MoveSelectedShips(move.x(), move.y());
+    }
+
+    static Reply toReply(String command, Outcome.Done done) {
+        return new Reply(command, done.bodies().stream().map(BodyId::value).toList(), done.tick());
+    }
+
+    static Diagnostics toDiagnostics(RoomReadings readings, int clients) {
+        Conservation conservation = readings.conservation().orElse(null);
+        Pace pace = readings.pace();
+        return new Diagnostics(
+                readings.tick(),
+                readings.time(),
+                pace.ticksPerSecond(),
+                new Diagnostics.TickMillis(pace.p50Millis(), pace.p99Millis()),
+                pace.lateTicks(),
+                pace.droppedTicks(),
+                readings.bodies(),
+                clients,
+                conservation == null ? null : nullable(conservation.energy()),
+                conservation == null ? null : nullable(conservation.energyDrift()),
+                conservation == null ? null : toPoint(conservation.momentum()),
+                conservation == null ? null : conservation.momentumDrift());
+    }
+
+    static RoomInfo toRoomInfo(RoomSpec room) {
+        Scene scene = room.scene();
+        Units units = scene.units();
+        return new RoomInfo(
+                room.id(),
+                scene.name(),
+                scene.title(),
+                new RoomInfo.Units(units.length(), units.mass(), units.time()),
+                toEdge(scene.spec(room.seed()).boundary()),
+                toBox(scene.view()),
+                TICK_RATE,
+                room.framesPerSecond(),
+                room.maxBodies());
+    }
+
+    private static RoomInfo.Edge toEdge(Boundary boundary) {
+        String kind = boundary instanceof Boundary.Walls ? "walls" : "periodic";
+        return Edges.box(boundary)
+                .map(box -> RoomInfo.Edge.of(kind, toBox(box)))
+                .orElseGet(RoomInfo.Edge::open);
+    }
+
+    private static RoomInfo.Box toBox(Aabb box) {
+        return new RoomInfo.Box(box.minX(), box.minY(), box.maxX(), box.maxY());
+    }
+
+    static Point toPoint(Vec2 point) {
+        return new Point(point.x(), point.y());
+    }
+
+    private static @Nullable Double nullable(OptionalDouble value) {
+        return value.isPresent() ? value.getAsDouble() : null;
+    }
+}

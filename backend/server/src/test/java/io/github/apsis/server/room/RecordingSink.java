@@ -1,0 +1,24 @@
+package io.github.apsis.server.room;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Keeps everything. */
+final class RecordingSink implements FrameSink {
+    final List<RoomFrame> frames = new ArrayList<>();
+    final List<RoomReadings> readings = new ArrayList<>();
+
+    @Override
+    public void publish(RoomFrame frame) {
+        frames.add(frame);
+    }
+
+    @Override
+    public void publish(RoomReadings reading) {
+        readings.add(reading);
+    }
+
+    RoomFrame last() {
+        return frames.get(frames.size() - 1);
+    }
+}

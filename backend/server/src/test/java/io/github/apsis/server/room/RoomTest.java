@@ -1,0 +1,268 @@
+package io.github.apsis.server.room;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.apsis.engine.body.BodyDef;
+import io.github.apsis.engine.body.BodyId;
+import io.github.apsis.engine.body.BodyKind;
+import io.github.apsis.engine.math.Vec2;
+import io.github.apsis.server.room.Outcome.Done;
+import io.github.apsis.server.room.Outcome.Reason;
+import io.github.apsis.server.room.Outcome.Refused;
+import io.github.apsis.server.room.Request.AddRandom;
+import io.github.apsis.server.room.Request.Deselect;
+import io.github.apsis.server.room.Request.MoveSelectedShips;
+import io.github.apsis.server.room.Request.RandomBody;
+import io.github.apsis.server.room.Request.Remove;
+import io.github.apsis.server.room.Request.Select;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class RoomTest {
+    private static final ClientId ANN = new ClientId("ann");
+    private static final ClientId BOB = new ClientId("bob");
+    private static final BodyId SHIP = new BodyId(1);
+    private static final BodyId OTHER_SHIP = new BodyId(2);
+    private static final BodyId ROCK = new BodyId(3);
+
+    private final RecordingSink sink = new RecordingSink();
+    private final List<Outcome> outcomes = new ArrayList<>();
+    private final Room room =
+            room(new TestScene(TestScene.ship(-50, 0), TestScene.ship(50, 0), BodyDef.asteroid(0, 100, 3, 5)), 6);
+
+    @Test
+    void a_command_queued_before_tick_7_shows_in_frame_7() {
+        ticks(6);
+        submit(ANN, new AddRandom(RandomBody.SHIP));
+
+        ticks(1);
+
+        assertThat(sink.frames.get(5).world().count()).isEqualTo(3);
+        assertThat(sink.frames.get(6).world().tick()).isEqualTo(7);
+        assertThat(sink.frames.get(6).world().count()).isEqualTo(4);
+        assertThat(outcomes).containsExactly(new Done(List.of(new BodyId(4)), 7));
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"PLANET", "ASTEROID", "SHIP"})
+    void a_random_body_is_of_the_kind_that_was_asked_for(RandomBody kind) {
+        List.of(SHIP, OTHER_SHIP, ROCK).forEach(body -> submit(ANN, new Remove(body)));
+        submit(ANN, new AddRandom(kind));
+
+        ticks(1);
+
+        int i = sink.last().world().indexOf(new BodyId(4));
+        assertThat(sink.last().world().kind(i)).isEqualTo(BodyKind.valueOf(kind.name()));
+    }
+
+    @Test
+    void an_asteroid_has_a_look_from_its_birth_to_its_end() {
+        submit(ANN, new AddRandom(RandomBody.ASTEROID));
+        ticks(1);
+        assertThat(sink.last().appearances()).containsOnlyKeys(new BodyId(4));
+
+        submit(ANN, new Remove(new BodyId(4)));
+        ticks(1);
+
+        assertThat(sink.last().appearances()).isEmpty();
+    }
+
+    @Test
+    void what_is_selected_is_seen_by_all_and_ends_with_its_last_owner() {
+        submit(ANN, new Select(SHIP));
+        submit(BOB, new Select(SHIP));
+        ticks(1);
+        assertThat(sink.last().selected()).containsExactly(SHIP);
+
+        submit(ANN, new Deselect(SHIP));
+        ticks(1);
+        assertThat(sink.last().selected()).containsExactly(SHIP);
+
+        room.leave(BOB);
+        ticks(1);
+        assertThat(sink.last().selected()).isEmpty();
+    }
+
+    @Test
+    void a_removed_body_is_nobody_s_selection() {
+        submit(ANN, new Select(ROCK));
+        submit(BOB, new Remove(ROCK));
+
+        ticks(1);
+
+        assertThat(sink.last().selected()).isEmpty();
+        assertThat(sink.last().world().indexOf(ROCK)).isNegative();
+    }
+
+    @Test
+    void a_selected_ship_goes_to_the_point_and_stops_there() {
+        submit(ANN, new Select(SHIP));
+        submit(ANN, new Select(ROCK));
+        submit(ANN, new MoveSelectedShips(120, -80));
+
+        ticks(10 * TickLoop.TICKS_PER_SECOND);
+
+        int i = sink.last().world().indexOf(SHIP);
+        assertThat(outcomes.get(2)).isEqualTo(new Done(List.of(SHIP), 1));
+        assertThat(sink.last().world().x(i)).isCloseTo(120, within(1.0));
+        assertThat(sink.last().world().y(i)).isCloseTo(-80, within(1.0));
+        assertThat(new Vec2(sink.last().world().vx(i), sink.last().world().vy(i)).length())
+                .isLessThan(1);
+        assertThat(sink.last().world().target(sink.last().world().indexOf(OTHER_SHIP)))
+                .isEmpty();
+    }
+
+    @Test
+    void the_nearest_of_several_ships_takes_the_point_itself() {
+        submit(ANN, new Select(SHIP));
+        submit(ANN, new Select(OTHER_SHIP));
+        submit(ANN, new MoveSelectedShips(100, 0));
+
+        ticks(1);
+
+        var world = sink.last().world();
+        assertThat(world.target(world.indexOf(OTHER_SHIP))).contains(new Vec2(100, 0));
+        Vec2 other = world.target(world.indexOf(SHIP)).orElseThrow();
+        assertThat(Math.hypot(other.x() - 100, other.y())).isCloseTo(2.5 * 4, within(1e-9));
+    }
+
+    @Test
+    void one_client_moves_only_what_it_has_selected_itself() {
+        submit(ANN, new Select(SHIP));
+        submit(BOB, new MoveSelectedShips(0, 0));
+
+        ticks(1);
+
+        assertThat(outcomes.get(1)).isEqualTo(new Refused(Reason.NO_SHIP_SELECTED));
+    }
+
+    @Test
+    void a_target_outside_the_walls_is_refused_and_changes_nothing() {
+        submit(ANN, new Select(SHIP));
+        submit(ANN, new MoveSelectedShips(201, 0));
+
+        ticks(1);
+
+        assertThat(outcomes.get(1)).isEqualTo(new Refused(Reason.OUTSIDE_WORLD));
+        assertThat(sink.last().world().target(0)).isEmpty();
+    }
+
+    @Test
+    void what_is_not_there_cannot_be_selected_or_removed() {
+        submit(ANN, new Select(new BodyId(99)));
+        submit(ANN, new Remove(new BodyId(99)));
+
+        ticks(1);
+
+        assertThat(outcomes).containsExactly(new Refused(Reason.NO_SUCH_BODY), new Refused(Reason.NO_SUCH_BODY));
+    }
+
+    @Test
+    void a_full_room_takes_no_more() {
+        for (int i = 0; i < 4; i++) {
+            submit(ANN, new AddRandom(RandomBody.SHIP));
+        }
+
+        ticks(1);
+
+        assertThat(outcomes.subList(0, 3)).allMatch(Done.class::isInstance);
+        assertThat(outcomes.get(3)).isEqualTo(new Refused(Reason.WORLD_FULL));
+    }
+
+    @Test
+    void where_no_place_is_left_a_body_is_refused() {
+        submit(ANN, new AddRandom(RandomBody.PLANET)); // 180 across, in the midst of the others
+
+        ticks(1);
+
+        assertThat(outcomes).containsExactly(new Refused(Reason.NO_ROOM));
+    }
+
+    @Test
+    void a_full_queue_refuses_at_once_and_empties_tick_by_tick() {
+        for (int i = 0; i <= Room.QUEUE_CAPACITY; i++) {
+            submit(ANN, new Select(SHIP));
+        }
+        assertThat(outcomes).containsExactly(new Refused(Reason.ROOM_BUSY));
+
+        ticks(1);
+
+        assertThat(outcomes).hasSize(1 + Room.MOST_COMMANDS_PER_TICK);
+    }
+
+    @Test
+    void a_closed_room_answers_everybody() {
+        submit(ANN, new Select(SHIP));
+        room.close();
+        submit(BOB, new Select(SHIP));
+
+        assertThat(outcomes).containsExactly(new Refused(Reason.ROOM_BUSY), new Refused(Reason.ROOM_BUSY));
+    }
+
+    @Test
+    void frames_come_at_their_rate_and_readings_four_times_a_second() {
+        Room slow = new Room(new RoomSpec("slow", new TestScene(), 1, 30, 10), sink, () -> Pace.AT_START);
+
+        for (int i = 0; i < 2 * TickLoop.TICKS_PER_SECOND; i++) {
+            slow.tick();
+        }
+
+        assertThat(sink.frames).hasSize(60).allMatch(frame -> frame.world().tick() % 5 == 0);
+        assertThat(sink.readings).hasSize(8);
+    }
+
+    @Test
+    void a_world_left_alone_keeps_its_energy_and_momentum() {
+        Room free = room(new TestScene(BodyDef.asteroid(0, 0, 3, 5).moving(7, 4)), 10);
+
+        for (int i = 0; i < 1000; i++) {
+            free.tick();
+        }
+
+        Conservation last =
+                sink.readings.get(sink.readings.size() - 1).conservation().orElseThrow();
+        assertThat(last.energyDrift().orElseThrow()).isCloseTo(0, within(1e-12));
+        assertThat(last.momentumDrift()).isCloseTo(0, within(1e-12));
+        assertThat(last.energy().orElseThrow()).isCloseTo(0.5 * 3 * 65, within(1e-9)); // m·v²/2
+    }
+
+    @Test
+    void a_frame_rate_must_divide_the_tick_rate() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new RoomSpec("odd", new TestScene(), 1, 60, 10))
+                .withMessageContaining("divide 150")
+                .withMessageContaining("was 60");
+    }
+
+    @Test
+    void what_leaves_a_room_cannot_be_changed() {
+        submit(ANN, new Select(SHIP));
+        ticks(1);
+        Set<BodyId> selected = sink.last().selected();
+
+        submit(ANN, new Deselect(SHIP));
+        ticks(1);
+
+        assertThat(selected).containsExactly(SHIP).isUnmodifiable();
+    }
+
+    private Room room(TestScene scene, int maxBodies) {
+        return new Room(new RoomSpec("test", scene, 1, 150, maxBodies), sink, () -> Pace.AT_START);
+    }
+
+    private void submit(ClientId client, Request request) {
+        room.submit(client, request, outcomes::add);
+    }
+
+    private void ticks(int count) {
+        for (int i = 0; i < count; i++) {
+            room.tick();
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package io.github.apsis.server.room;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class TickLoopTest {
+    private final FakeTime time = new FakeTime();
+    private final TickMeter meter = new TickMeter(time.getAsLong());
+    private final List<Long> ticks = new ArrayList<>();
+    private final List<Throwable> failures = new ArrayList<>();
+    private Runnable work = () -> {};
+    private final TickLoop loop = new TickLoop(time, time, meter, this::tick, failures::add);
+
+    private void tick() {
+        ticks.add(time.getAsLong());
+        work.run();
+    }
+
+    @BeforeEach
+    void start() {
+        loop.start();
+    }
+
+    @Test
+    void an_hour_has_540000_ticks() {
+        time.pass(3600 * FakeTime.SECOND);
+
+        assertThat(ticks).hasSize(540_000 + 1); // the first one at once
+        assertThat(meter.measure().ticksPerSecond()).isCloseTo(150, within(1e-6));
+        assertThat(meter.measure().lateTicks()).isZero();
+    }
+
+    @Test
+    void the_length_of_a_tick_does_not_shift_the_next() {
+        work = () -> time.freeze(5_000_000);
+
+        time.pass(10 * FakeTime.SECOND);
+
+        assertThat(ticks).hasSize(1501);
+        assertThat(meter.measure().p50Millis()).isEqualTo(5);
+        assertThat(meter.measure().p99Millis()).isEqualTo(5);
+    }
+
+    @Test
+    void missed_ticks_are_caught_up_at_once() {
+        time.pass(FakeTime.SECOND);
+
+        time.freeze(FakeTime.SECOND / 15); // ten ticks
+        time.pass(FakeTime.SECOND);
+
+        assertThat(ticks).hasSize(1 + 150 + 10 + 150);
+        assertThat(meter.measure().droppedTicks()).isZero();
+        assertThat(meter.measure().lateTicks()).isBetween(9L, 10L);
+    }
+
+    @Test
+    void too_many_missed_ticks_are_dropped_and_counted() {
+        time.pass(FakeTime.SECOND);
+
+        time.freeze(10 * FakeTime.SECOND);
+        time.pass(FakeTime.SECOND);
+
+        long dropped = meter.measure().droppedTicks();
+        assertThat(dropped).isBetween(1480L, 1490L);
+        assertThat(ticks.size() + dropped).isEqualTo(1 + 12 * 150);
+    }
+
+    @Test
+    void a_tick_that_throws_ends_the_loop() {
+        work = () -> {
+            throw new IllegalStateException("broken");
+        };
+
+        time.pass(FakeTime.SECOND);
+
+        assertThat(ticks).hasSize(1);
+        assertThat(failures).singleElement().isInstanceOf(IllegalStateException.class);
+    }
+
+    @Test
+    void the_schedule_is_exact_after_ten_years() {
+        TickSchedule schedule = new TickSchedule(0);
+        long years = 10L * 365 * 86_400;
+
+        long dropped = schedule.dropMissed(years * FakeTime.SECOND) + TickSchedule.MOST_MISSED;
+
+        assertThat(dropped).isEqualTo(years * 150);
+    }
+}
