@@ -1,0 +1,78 @@
+package io.github.apsis.benchmarks;
+
+import com.sun.management.ThreadMXBean;
+import io.github.apsis.engine.World;
+import io.github.apsis.engine.diagnostics.Conserved;
+import io.github.apsis.scenes.Scene;
+import java.lang.management.ManagementFactory;
+import java.util.function.LongConsumer;
+
+/**
+ * Ticks a scene as fast as it goes, and measures. A world of its own warms the compiler up first and is thrown away, so the
+ * measured world starts at tick 0 and its final state depends on scene, seed and number of ticks alone.
+ */
+public final class SceneRun {
+    /** The rate at which a room ticks. */
+    public static final int TICKS_PER_SECOND = 150;
+
+    private static final int CHUNK = 150;
+    private static final long WARM_UP_NANOS = 3_000_000_000L;
+
+    private final Scene scene;
+    private final long seed;
+    private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    public SceneRun(Scene scene, long seed) {
+        this.scene = scene;
+        this.seed = seed;
+    }
+
+    /**
+     * What came out.
+     *
+     * @param bodies at the end
+     * @param warmUpTicks of the world that was thrown away
+     * @param allocatedBytes by all measured ticks together
+     * @param stateHash after the last tick
+     */
+    public record Result(
+            int bodies, long warmUpTicks, TickTimes times, long allocatedBytes, Drift drift, long stateHash) {}
+
+    /**
+     * Warms up, then measures so many ticks.
+     *
+     * @param progress is told the number of measured ticks now and then, outside the measured time
+     */
+    public Result measure(long ticks, LongConsumer progress) {
+        long warmUpTicks = warmUp(ticks);
+        World world = scene.world(seed);
+        Conserved start = world.conserved();
+        TickTimes times = new TickTimes();
+        long allocated = 0;
+        while (times.count() < ticks) {
+            long before = threads.getCurrentThreadAllocatedBytes();
+            tick(world, times, Math.min(CHUNK, ticks - times.count()));
+            allocated += threads.getCurrentThreadAllocatedBytes() - before;
+            progress.accept(times.count());
+        }
+        return new Result(world.count(), warmUpTicks, times, allocated, Drift.since(start, world), world.stateHash());
+    }
+
+    /** As many ticks as will be measured, but no more than three seconds of them. */
+    private long warmUp(long ticks) {
+        World world = scene.world(seed);
+        TickTimes discarded = new TickTimes();
+        while (discarded.count() < ticks && discarded.totalNanos() < WARM_UP_NANOS) {
+            tick(world, discarded, Math.min(CHUNK, ticks - discarded.count()));
+        }
+        return discarded.count();
+    }
+
+    private static void tick(World world, TickTimes times, long ticks) {
+        for (long i = 0; i < ticks; i++) {
+            long before = System.nanoTime();
+            world.step();
+            times.record(System.nanoTime() - before);
+        }
+    }
+}
