@@ -179,7 +179,7 @@ final class Impacts {
         boolean collapsed = mostImpacts(a, b) >= MOST_BOUNCES_PER_BODY;
         double e = collapsed ? 0 : b < 0 ? wallRestitution : restitution;
         double impulse = (1 + e) * closingSpeed / contact.inverseMass;
-        bodies.ledger().bookEnergy(-0.5 * (1 - e * e) * closingSpeed * closingSpeed / contact.inverseMass);
+        bookWork(bodies, a, b, t, impulse);
         double px = impulse * contact.nx;
         double py = impulse * contact.ny;
         bend(bodies, a, t, -px, -py);
@@ -192,6 +192,21 @@ final class Impacts {
             predictNext(bodies, b, a);
             predict(bodies, a, b);
         }
+    }
+
+    /**
+     * Books what a bounce takes, −(1 − e²) c² / (2 (1/m1 + 1/m2)). Thrust books its own work by kicks at the two ends of the
+     * tick, so the speed that it has added or not yet added by now is none of the bounce's.
+     */
+    private void bookWork(Bodies bodies, int a, int b, double t, double impulse) {
+        double thrustX = -bodies.thrustX(a) * bodies.inverseMass(a);
+        double thrustY = -bodies.thrustY(a) * bodies.inverseMass(a);
+        if (b >= 0) {
+            thrustX += bodies.thrustX(b) * bodies.inverseMass(b);
+            thrustY += bodies.thrustY(b) * bodies.inverseMass(b);
+        }
+        double byThrust = (thrustX * contact.nx + thrustY * contact.ny) * (t - 0.5 * paths.dt());
+        bodies.ledger().bookEnergy(impulse * (0.5 * impulse * contact.inverseMass - closingSpeed - byThrust));
     }
 
     /** An impulse on a wall or on a fixed body leaves the world. */

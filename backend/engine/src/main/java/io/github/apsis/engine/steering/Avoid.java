@@ -44,16 +44,33 @@ final class Avoid {
         double most = bodies.maxForce(i) * bodies.inverseMass(i);
         double horizon = HORIZON * bodies.maxSpeed(i) / most;
         double reach = 2 * bodies.maxSpeed(i) * horizon; // what closes at twice the speed is met within the horizon
-        double x = bodies.x(i);
-        double y = bodies.y(i);
-        int hits = tree.query(x - reach, y - reach, x + reach, y + reach);
-        for (int hit = 0; hit < hits; hit++) {
-            int other = tree.found(hit);
-            if (other != i) {
-                pushAwayFrom(bodies, i, other, horizon, most, push);
+        int images = period == null ? 0 : 1; // on each side
+        for (int column = -images; column <= images; column++) {
+            for (int row = -images; row <= images; row++) {
+                pushAwayFromImages(bodies, i, column, row, reach, horizon, most, push);
             }
         }
         push.limit(most);
+    }
+
+    /** Answers the neighbours whose nearest image lies so many periods away; (0, 0) in a world that does not repeat itself. */
+    private void pushAwayFromImages(
+            Bodies bodies, int i, int column, int row, double reach, double horizon, double most, SteeringVector push) {
+        double x = bodies.x(i) + (period == null ? 0 : column * period.width());
+        double y = bodies.y(i) + (period == null ? 0 : row * period.height());
+        int hits = tree.query(x - reach, y - reach, x + reach, y + reach);
+        for (int hit = 0; hit < hits; hit++) {
+            int other = tree.found(hit);
+            if (other != i && isNearestImage(bodies, i, other, column, row)) {
+                pushAwayFrom(bodies, i, other, horizon, most, push);
+            }
+        }
+    }
+
+    private boolean isNearestImage(Bodies bodies, int i, int other, int column, int row) {
+        return period == null
+                || (Math.rint((bodies.x(other) - bodies.x(i)) / period.width()) == column
+                        && Math.rint((bodies.y(other) - bodies.y(i)) / period.height()) == row);
     }
 
     private void pushAwayFrom(Bodies bodies, int i, int other, double horizon, double most, SteeringVector push) {

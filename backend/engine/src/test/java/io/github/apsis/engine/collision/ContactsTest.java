@@ -4,10 +4,13 @@ import static io.github.apsis.engine.ReferenceCase.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.apsis.engine.Command;
 import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSnapshot;
 import io.github.apsis.engine.WorldSpec;
 import io.github.apsis.engine.body.BodyDef;
+import io.github.apsis.engine.body.BodyId;
+import io.github.apsis.engine.body.ShipLimits;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Rng;
 import org.junit.jupiter.api.Test;
@@ -174,6 +177,24 @@ class ContactsTest {
         assertThat(lost).isLessThan(-0.3 * Math.abs(before)); // much is lost
         // What the books do not explain is the error of the integrator and of contact times under a changing force.
         assertThat((after - before - lost) / lost).as("seed %d", seed).isCloseTo(0, within(2e-2));
+    }
+
+    @Test
+    void a_bounce_under_thrust_leaves_the_books_in_order() {
+        World world = new World(WorldSpec.builder().seed(3).contacts(0.5).build());
+        long ship = world.add(BodyDef.ship(-100, 0, 12, 8, new ShipLimits(120, 2400)))
+                .value();
+        for (int i = 0; i < 40; i++) {
+            world.add(BodyDef.asteroid(30 + 20 * (i % 4), -90 + 20 * (i / 4), 5, 9)); // a wall too dense to avoid
+        }
+        world.apply(new Command.SeekTarget(new BodyId(ship), 400, 0));
+        double before = world.conserved().kinetic();
+
+        run(world, 1500);
+
+        // Without other forces every joule is thrust's or a contact's: what is left is rounding.
+        double change = world.conserved().kinetic() - before - world.ledger().energy();
+        assertThat(change / world.conserved().kinetic()).isCloseTo(0, within(1e-12));
     }
 
     private static double deepestOverlap(WorldSnapshot now) {

@@ -114,6 +114,26 @@ class SteeringTest {
     }
 
     @Test
+    void a_ship_sees_a_rock_across_the_seam() {
+        World world = new World(WorldSpec.builder()
+                .contacts(0.8)
+                .periodic(Aabb.centred(500, 500))
+                .build());
+        world.add(ship(350, 0).moving(72, 0)); // its heading leads through the seam
+        world.add(BodyDef.asteroid(-450, 2, 1e9, 30)); // 200 ahead
+
+        double closest = Double.MAX_VALUE;
+        for (int tick = 0; tick < 150 * 4; tick++) {
+            world.step();
+            WorldSnapshot now = world.snapshot();
+            double dx = Math.IEEEremainder(now.x(0) - now.x(1), 1000);
+            closest = Math.min(closest, Math.hypot(dx, now.y(0) - now.y(1)) - 38);
+        }
+
+        assertThat(closest).isGreaterThan(1);
+    }
+
+    @Test
     void a_wanderer_turns_smoothly_and_stays_off_the_walls() {
         World world = new World(
                 WorldSpec.builder().seed(9).walls(Aabb.centred(400, 400), 0.8).build());
