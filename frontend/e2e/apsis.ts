@@ -37,9 +37,13 @@ export async function startApsis({ scene, refuseWebSockets = false, mayBeShared 
   let server: ChildProcess | undefined;
 
   async function start(): Promise<void> {
-    server = spawn('java', ['-jar', serverJar(), `--server.port=${port}`, `--apsis.scene=${scene}`], {
-      stdio: ['ignore', 'ignore', 'inherit'],
-    });
+    server = spawn(
+      process.env.APSIS_JAVA ?? 'java',
+      ['-jar', serverJar(), `--server.port=${port}`, `--apsis.scene=${scene}`],
+      {
+        stdio: ['ignore', 'ignore', 'inherit'],
+      },
+    );
     await untilUp(port, server);
   }
 

@@ -38,6 +38,8 @@ export function listenToGestures(host: HTMLElement, camera: Camera, intents: Int
   function down(event: PointerEvent): void {
     if (event.button !== 0) return;
     host.setPointerCapture(event.pointerId);
+    // Focus that a script moves away from a text field counts as the keyboard's; a press must not draw its outline.
+    host.dataset.pressed = 'true';
     host.focus({ preventScroll: true });
     fingers.set(event.pointerId, at(event));
     isDrag = fingers.size > 1;
@@ -91,6 +93,8 @@ export function listenToGestures(host: HTMLElement, camera: Camera, intents: Int
   host.addEventListener('pointerup', up, { signal });
   host.addEventListener('pointercancel', (event) => fingers.delete(event.pointerId), { signal });
   host.addEventListener('pointerleave', () => intents.onLeave(), { signal });
+  host.addEventListener('keydown', () => delete host.dataset.pressed, { signal });
+  host.addEventListener('blur', () => delete host.dataset.pressed, { signal });
   // A long press is ours; so is Ctrl and click on a Mac.
   host.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
   host.addEventListener('wheel', wheel, { passive: false, signal });

@@ -4,7 +4,10 @@ import io.github.apsis.engine.body.BodyId;
 import java.util.HashMap;
 import java.util.Map;
 
-/** The looks of a room's bodies. Belongs to the tick thread; what it hands out is an immutable copy, made after a change. */
+/**
+ * The looks of a room's bodies. Belongs to the tick thread; what it hands out is an immutable copy, made after a
+ * change.
+ */
 final class Appearances {
     private final Map<BodyId, Appearance> current = new HashMap<>();
     private Map<BodyId, Appearance> handedOut = Map.of();

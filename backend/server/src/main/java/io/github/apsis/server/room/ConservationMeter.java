@@ -17,7 +17,9 @@ import org.jspecify.annotations.Nullable;
  * </pre>
  */
 final class ConservationMeter {
-    /** The sum over pairs costs n²/2: half a millisecond for this many bodies, a tenth of a tick, four times a second. */
+    /**
+     * The sum over pairs costs n²/2: half a millisecond for this many bodies, a tenth of a tick, four times a second.
+     */
     static final int MOST_BODIES = 500;
 
     private @Nullable Baseline baseline;

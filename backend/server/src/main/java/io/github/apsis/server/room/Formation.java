@@ -7,8 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Where several ships go that are sent to one point: the points of a hexagonal lattice around it, from the inside out, so
- * that nobody is ordered into a neighbour.
+ * Where several ships go that are sent to one point: the points of a hexagonal lattice around it, from the inside out,
+ * so that nobody is ordered into a neighbour.
  */
 final class Formation {
     /** Distance of neighbours in radii of the largest ship: half a radius of air between two rims. */
@@ -30,8 +30,8 @@ final class Formation {
     }
 
     /**
-     * Places for {@code count} ships. The first is the point itself, or the nearest that a ship can reach when a wall is
-     * closer than its rim; places behind a wall are left out.
+     * Places for {@code count} ships. The first is the point itself, or the nearest that a ship can reach when a wall
+     * is closer than its rim; places behind a wall are left out.
      */
     static List<Vec2> around(Vec2 point, int count, double largestRadius, Boundary boundary) {
         return new Formation(point, largestRadius, boundary).slots(count);

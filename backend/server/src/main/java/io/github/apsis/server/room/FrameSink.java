@@ -1,8 +1,8 @@
 package io.github.apsis.server.room;
 
 /**
- * Where a room's moments go. Called on the room's tick thread: returns at once, never blocks and never throws. What it is
- * given is immutable.
+ * Where a room's moments go. Called on the room's tick thread: returns at once, never blocks and never throws. What it
+ * is given is immutable.
  */
 public interface FrameSink {
     /** The bodies, at the frame rate of the room. */

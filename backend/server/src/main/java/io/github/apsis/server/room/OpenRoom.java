@@ -9,7 +9,8 @@ import lombok.extern.slf4j.Slf4j;
 
 /**
  * A room under its id, on its clock. When the room throws it is closed, logged once, and replaced by a fresh one of the
- * same scene: whoever holds this object does not notice more than a world that begins again. May be used from any thread.
+ * same scene: whoever holds this object does not notice more than a world that begins again. May be used from any
+ * thread.
  */
 @Slf4j
 public final class OpenRoom {
@@ -41,7 +42,9 @@ public final class OpenRoom {
         return spec;
     }
 
-    /** Queues a request; {@code answer} is called once, on the tick thread or at once on this one, and must not block. */
+    /**
+     * Queues a request; {@code answer} is called once, on the tick thread or at once on this one, and must not block.
+     */
     public void submit(ClientId client, Request request, Consumer<Outcome> answer) {
         life.room.submit(client, request, answer);
     }

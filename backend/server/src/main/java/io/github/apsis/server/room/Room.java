@@ -31,7 +31,9 @@ import org.jspecify.annotations.Nullable;
 public final class Room {
     static final int QUEUE_CAPACITY = 1024;
 
-    /** Every new body costs one evaluation of the forces and a search for its place: this many leave the tick its time. */
+    /**
+     * Every new body costs one evaluation of the forces and a search for its place: this many leave the tick its time.
+     */
     static final int MOST_COMMANDS_PER_TICK = 8;
 
     private static final int READINGS_PER_SECOND = 4;

@@ -13,8 +13,8 @@ import java.util.function.LongSupplier;
 import java.util.stream.IntStream;
 
 /**
- * All rooms of this server, by id. A room stays on one thread for its life, a thread may carry many rooms. May be used from
- * any thread.
+ * All rooms of this server, by id. A room stays on one thread for its life, a thread may carry many rooms. May be used
+ * from any thread.
  */
 public final class Rooms implements AutoCloseable {
     private final LongSupplier nanoTime;

@@ -7,7 +7,9 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 
-/** Who has selected what: each client for itself, so two people do not fight over a body. Belongs to the tick thread. */
+/**
+ * Who has selected what: each client for itself, so two people do not fight over a body. Belongs to the tick thread.
+ */
 final class Selections {
     private final Map<ClientId, Set<BodyId>> byClient = new HashMap<>();
     private Set<BodyId> handedOut = Set.of();

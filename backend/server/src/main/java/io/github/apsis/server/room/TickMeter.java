@@ -3,8 +3,8 @@ package io.github.apsis.server.room;
 import java.util.Arrays;
 
 /**
- * Measures the ticks of one room. Written by the tick thread alone; {@link #latest} and {@link #lastBegin} may be read by
- * any.
+ * Measures the ticks of one room. Written by the tick thread alone; {@link #latest} and {@link #lastBegin} may be read
+ * by any.
  */
 final class TickMeter {
     private static final int WINDOW = 10 * TickLoop.TICKS_PER_SECOND;

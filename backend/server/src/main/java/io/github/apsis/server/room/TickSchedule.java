@@ -1,8 +1,8 @@
 package io.github.apsis.server.room;
 
 /**
- * When ticks are due: tick k at start + k · 1 s / 150, computed from k each time. A period of 6 666 666 ns added up would
- * gain a tick in 12 days, 6 ms would run at 166.7 Hz.
+ * When ticks are due: tick k at start + k · 1 s / 150, computed from k each time. A period of 6 666 666 ns added up
+ * would gain a tick in 12 days, 6 ms would run at 166.7 Hz.
  */
 final class TickSchedule {
     /** A tenth of a second: more than any garbage collection, and caught up before anyone sees it. */

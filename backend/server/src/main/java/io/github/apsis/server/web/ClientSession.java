@@ -22,9 +22,9 @@ import org.springframework.web.socket.handler.WebSocketSessionDecorator;
 import org.springframework.web.socket.sockjs.transport.session.AbstractHttpSockJsSession;
 
 /**
- * The way out to one client, below STOMP. Nothing here blocks its caller: control messages wait in a queue, of a stream only
- * the newest message waits in its {@link Slot}, and one task at a time sends them. So a client that stops reading costs one
- * waiting thread until its send times out, and nobody else notices.
+ * The way out to one client, below STOMP. Nothing here blocks its caller: control messages wait in a queue, of a stream
+ * only the newest message waits in its {@link Slot}, and one task at a time sends them. So a client that stops reading
+ * costs one waiting thread until its send times out, and nobody else notices.
  *
  * <p>May be used from any thread.
  */

@@ -11,8 +11,9 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Reads the JSON of a command and checks its shape: whatever comes out is a finite number, a positive id, a true or false.
- * Field by field rather than bound to a record, so that a client learns which field is wrong. Unknown fields are ignored.
+ * Reads the JSON of a command and checks its shape: whatever comes out is a finite number, a positive id, a true or
+ * false. Field by field rather than bound to a record, so that a client learns which field is wrong. Unknown fields are
+ * ignored.
  *
  * @see RefusedException what it throws for everything else
  */
@@ -88,7 +89,7 @@ final class CommandReader {
     }
 
     private static RefusedException invalid(String field, String allowed, JsonNode was) {
-        String text = was.toString();
+        String text = was.isNumber() ? was.asString() : was.toString(); // as JSON, Infinity would get quotes
         String shown = text.length() > 40 ? text.substring(0, 40) + "…" : text;
         return new RefusedException(
                 Code.INVALID_VALUE, "\"" + field + "\" must be " + allowed + ", was " + shown + ".", field);

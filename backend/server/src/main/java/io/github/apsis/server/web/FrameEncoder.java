@@ -13,8 +13,9 @@ import tools.jackson.core.StreamWriteFeature;
 import tools.jackson.core.json.JsonFactory;
 
 /**
- * Writes the bodies of a frame as a JSON array, field by field. An asteroid's vertices are most of its numbers and never
- * change, so their text is kept. Pure ASCII, so its length in characters is its length in bytes. Belongs to one thread.
+ * Writes the bodies of a frame as a JSON array, field by field. An asteroid's vertices are most of its numbers and
+ * never change, so their text is kept. Pure ASCII, so its length in characters is its length in bytes. Belongs to one
+ * thread.
  */
 final class FrameEncoder {
     // Doubles in their shortest form that reads back to the same bits, on JDK 17 too.

@@ -14,10 +14,11 @@ import org.springframework.web.socket.server.HandshakeHandler;
 import org.springframework.web.socket.server.support.DefaultHandshakeHandler;
 
 /**
- * How a WebSocket begins, native or inside SockJS: without compression, and with {@link WholeMessages} around its handler.
+ * How a WebSocket begins, native or inside SockJS: without compression, and with {@link WholeMessages} around its
+ * handler.
  *
- * <p>permessage-deflate, which browsers always offer and Tomcat always takes, costs 5 to 50 times the CPU of a frame, for
- * each client and each frame (measured: 33 to 203 µs at 1000 bodies).
+ * <p>permessage-deflate, which browsers always offer and Tomcat always takes, costs 5 to 50 times the CPU of a frame,
+ * for each client and each frame (measured: 33 to 203 µs at 1000 bodies).
  */
 final class Handshakes implements HandshakeHandler {
     private final HandshakeHandler spring = new DefaultHandshakeHandler();
@@ -38,7 +39,10 @@ final class Handshakes implements HandshakeHandler {
         return spring.doHandshake(plain, response, new WholeMessages(handler, messageBytes), attributes);
     }
 
-    /** Spring can choose no extension, but Tomcat reads that as no preference and agrees on deflate: so it sees no offer. */
+    /**
+     * Spring can choose no extension, but Tomcat reads that as no preference and agrees on deflate: so it sees no
+     * offer.
+     */
     private static final class WithoutExtensions extends HttpServletRequestWrapper {
         WithoutExtensions(HttpServletRequest request) {
             super(request);

@@ -8,6 +8,7 @@ import io.github.apsis.scenes.SceneCatalogue;
 import io.github.apsis.server.room.FrameSink;
 import io.github.apsis.server.room.RoomSpec;
 import io.github.apsis.server.room.Rooms;
+import io.github.apsis.server.room.WarmUp;
 import org.springframework.boot.jackson.autoconfigure.JsonMapperBuilderCustomizer;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
@@ -18,6 +19,7 @@ import tools.jackson.databind.json.JsonMapper;
 class RoomConfig {
     @Bean
     Rooms rooms(ApsisProperties properties, Scene scene, FrameSink sink) {
+        WarmUp.run(scene, properties.seed());
         Rooms rooms = new Rooms();
         rooms.open(publicRoom(properties, scene), sink);
         return rooms;

@@ -9,9 +9,9 @@ import org.springframework.web.socket.WebSocketSession;
 import org.springframework.web.socket.handler.WebSocketHandlerDecorator;
 
 /**
- * Stands between the sockets and STOMP, native and SockJS alike: wraps each socket in a {@link ClientSession}, and turns
- * away whoever sends a message beyond the size limit. A frame cut into many messages meets the same limit in Spring's
- * decoder.
+ * Stands between the sockets and STOMP, native and SockJS alike: wraps each socket in a {@link ClientSession}, and
+ * turns away whoever sends a message beyond the size limit. A frame cut into many messages meets the same limit in
+ * Spring's decoder.
  */
 final class SessionGate extends WebSocketHandlerDecorator {
     /** Tomcat's name for how long a write may block before the session is closed; 20 s unless told. */

@@ -25,10 +25,10 @@ import tools.jackson.databind.json.JsonMapper;
 /**
  * STOMP as the treaty wants it.
  *
- * <p>The channels have no threads of their own. A message from a client is dealt with on the thread that read it: nothing
- * on its way blocks, the commands of one session stay in order, and whoever sends too fast is held back by TCP. A message to
- * a client is put into its {@link ClientSession} on the spot. With Spring's pools ten clients that stop reading freeze the
- * stream for everybody, because blocking sends use up the threads.
+ * <p>The channels have no threads of their own. A message from a client is dealt with on the thread that read it:
+ * nothing on its way blocks, the commands of one session stay in order, and whoever sends too fast is held back by TCP.
+ * A message to a client is put into its {@link ClientSession} on the spot. With Spring's pools ten clients that stop
+ * reading freeze the stream for everybody, because blocking sends use up the threads.
  */
 @Configuration
 @EnableWebSocketMessageBroker

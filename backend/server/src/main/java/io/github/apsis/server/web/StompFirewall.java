@@ -15,8 +15,8 @@ import org.springframework.stereotype.Component;
 /**
  * Lets in what the treaty lists, and nothing else: Spring's broker alone would let any client forge frames on
  * {@code /topic/bodies} or listen to everybody by {@code /topic/**}. Also where commands are rationed, and where
- * subscriptions to streams leave Spring's path: their messages go by {@link Slot}, not by the broker. That CONNECT comes
- * first is seen to by Spring.
+ * subscriptions to streams leave Spring's path: their messages go by {@link Slot}, not by the broker. That CONNECT
+ * comes first is seen to by Spring.
  *
  * <p>Runs on the thread that reads from the client.
  */

@@ -14,8 +14,8 @@ import org.springframework.scheduling.concurrent.CustomizableThreadFactory;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Encodes each frame once, on a thread of its own, and offers it to every subscriber. The newest wins here as well: when
- * encoding takes longer than a frame lasts, frames are skipped.
+ * Encodes each frame once, on a thread of its own, and offers it to every subscriber. The newest wins here as well:
+ * when encoding takes longer than a frame lasts, frames are skipped.
  */
 @Slf4j
 final class StompFrameSink implements FrameSink, AutoCloseable {

@@ -12,8 +12,8 @@ import org.springframework.web.socket.sockjs.transport.handler.SockJsWebSocketHa
 
 /**
  * Puts the parts of one connection's messages together. Left to Tomcat, a message beyond its buffer ends the connection
- * without a word; here it is cut off just beyond the limit and handed on, so that {@link SessionGate} can say why, and no
- * client can make the server hold more than the limit.
+ * without a word; here it is cut off just beyond the limit and handed on, so that {@link SessionGate} can say why, and
+ * no client can make the server hold more than the limit.
  */
 final class WholeMessages extends WebSocketHandlerDecorator {
     /** In SockJS's JSON a text of quotes and line feeds takes twice its length. */

@@ -25,8 +25,8 @@ import org.springframework.boot.test.context.SpringBootTest.WebEnvironment;
 import org.springframework.boot.test.web.server.LocalServerPort;
 
 /**
- * Whatever a client sends, it alone is told, the world stays as it is and the tick goes on. A second client watches each
- * case.
+ * Whatever a client sends, it alone is told, the world stays as it is and the tick goes on. A second client watches
+ * each case.
  */
 @SpringBootTest(webEnvironment = WebEnvironment.RANDOM_PORT)
 class NonsenseTest {
