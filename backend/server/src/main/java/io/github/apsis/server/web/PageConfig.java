@@ -29,7 +29,7 @@ class PageConfig implements WebMvcConfigurer {
     static class SecurityHeaders extends OncePerRequestFilter {
         private static final String POLICY =
                 "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; "
-                        + "connect-src 'self'; worker-src 'self' blob:; frame-ancestors 'none'";
+                        + "connect-src 'self'; frame-ancestors 'none'";
 
         @Override
         protected void doFilterInternal(HttpServletRequest request, HttpServletResponse response, FilterChain chain)
