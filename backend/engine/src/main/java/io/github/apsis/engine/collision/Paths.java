@@ -53,9 +53,14 @@ final class Paths {
         return startTime[i];
     }
 
-    /** How often the path has been bent in this tick; also tells whether a prediction is out of date. */
+    /** How often the path has been bent in this tick, never for a wall; tells whether a prediction is out of date. */
     int impacts(int i) {
-        return impacts[i];
+        return i < 0 ? 0 : impacts[i];
+    }
+
+    /** The larger of two. */
+    int mostImpacts(int a, int b) {
+        return Math.max(impacts(a), impacts(b));
     }
 
     static double accelerationX(Bodies bodies, int i) {

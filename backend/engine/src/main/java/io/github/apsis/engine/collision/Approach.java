@@ -1,0 +1,47 @@
+package io.github.apsis.engine.collision;
+
+import io.github.apsis.engine.body.Bodies;
+
+/** How two partners meet at a time within the tick: the geometry of their contact, and how fast they close. */
+final class Approach {
+    /** A closing speed below this share of the speeds it is the difference of is rounding. */
+    private static final double ROUNDING = 1e-12;
+
+    private final Paths paths;
+    private final ContactGeometry contact;
+    private double closingSpeed; // length / time, negative when they separate
+
+    Approach(Paths paths, ContactGeometry contact) {
+        this.paths = paths;
+        this.contact = contact;
+    }
+
+    /** Fills in normal, gap and closing speed of a body and its partner, a body or a wall, at time t. */
+    void measure(Bodies bodies, int a, int b, double t) {
+        double xb = b < 0 ? 0 : paths.xAt(bodies, b, t);
+        double yb = b < 0 ? 0 : paths.yAt(bodies, b, t);
+        contact.fill(bodies, a, paths.xAt(bodies, a, t), paths.yAt(bodies, a, t), b, xb, yb);
+        double wx = (b < 0 ? 0 : paths.vxAt(bodies, b, t)) - paths.vxAt(bodies, a, t);
+        double wy = (b < 0 ? 0 : paths.vyAt(bodies, b, t)) - paths.vyAt(bodies, a, t);
+        closingSpeed = -(wx * contact.nx + wy * contact.ny);
+    }
+
+    ContactGeometry contact() {
+        return contact;
+    }
+
+    double closingSpeed() {
+        return closingSpeed;
+    }
+
+    /** Whether the partners close no faster than the forces push them together in two ticks: that is rest, not a bounce. */
+    boolean isGentle(Bodies bodies, int a, int b) {
+        double pressedPerTick = Math.max(0, -contact.separatingAcceleration(bodies, a, b)) * paths.dt();
+        return closingSpeed <= 2 * pressedPerTick + ROUNDING * speeds(bodies, a, b);
+    }
+
+    private static double speeds(Bodies bodies, int a, int b) {
+        double speed = Math.abs(bodies.vx(a)) + Math.abs(bodies.vy(a));
+        return b < 0 ? speed : speed + Math.abs(bodies.vx(b)) + Math.abs(bodies.vy(b));
+    }
+}

@@ -1,0 +1,158 @@
+package io.github.apsis.engine.collision;
+
+import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.math.Period;
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds the contacts that the present paths lead to: bounces go into the queue, what is too gentle to bounce onto the list of
+ * contacts at rest.
+ */
+final class ImpactPredictor {
+    private final @Nullable BroadPhase broadPhase;
+    private final @Nullable WallSet walls;
+    private final @Nullable Period period;
+    private final Paths paths;
+    private final Approach approach;
+    private final ImpactQueue queue;
+    private final Touching touching;
+    private final int mostImpacts; // of one body in a tick; what comes after is at rest
+
+    private int bentCount;
+    private int[] bent = new int[16]; // bodies whose path is no longer the one in the tree
+
+    ImpactPredictor(
+            @Nullable BroadPhase broadPhase,
+            @Nullable WallSet walls,
+            @Nullable Period period,
+            Paths paths,
+            Approach approach,
+            ImpactQueue queue,
+            Touching touching,
+            int mostImpacts) {
+        this.broadPhase = broadPhase;
+        this.walls = walls;
+        this.period = period;
+        this.paths = paths;
+        this.approach = approach;
+        this.queue = queue;
+        this.touching = touching;
+        this.mostImpacts = mostImpacts;
+    }
+
+    /** Looks along the paths of all bodies, as the integrator has drawn them. */
+    void predictAll(Bodies bodies) {
+        queue.clear();
+        touching.clear();
+        bentCount = 0;
+        for (int i = 0; i < bodies.count(); i++) {
+            predictWalls(bodies, i);
+        }
+        if (broadPhase != null) {
+            broadPhase.build(bodies, paths);
+            for (int i = 0; i < bodies.count(); i++) {
+                int hits = broadPhase.findNear(bodies, paths, i);
+                for (int hit = 0; hit < hits; hit++) {
+                    if (broadPhase.near(hit) > i) {
+                        predict(bodies, i, broadPhase.near(hit));
+                    }
+                }
+            }
+        }
+    }
+
+    /** A path is about to be bent for the first time: from now on the tree is wrong about it. */
+    void forgetPath(int i) {
+        if (bentCount == bent.length) {
+            bent = Arrays.copyOf(bent, 2 * bentCount);
+        }
+        bent[bentCount++] = i;
+    }
+
+    /** Looks along the path of one body from its last impact on, for everything but the partner of that impact. */
+    void predictNext(Bodies bodies, int i, int partner) {
+        if (bodies.isFixed(i)) {
+            return;
+        }
+        predictWalls(bodies, i);
+        if (broadPhase == null) {
+            return;
+        }
+        int hits = broadPhase.findNear(bodies, paths, i);
+        for (int hit = 0; hit < hits; hit++) {
+            int other = broadPhase.near(hit);
+            if (other != i && other != partner && paths.impacts(other) == 0) {
+                predict(bodies, Math.min(i, other), Math.max(i, other));
+            }
+        }
+        // The tree knows bent paths only as they were, so those few are asked one by one.
+        for (int k = 0; k < bentCount; k++) {
+            int other = bent[k];
+            if (other != i && other != partner) {
+                predict(bodies, Math.min(i, other), Math.max(i, other));
+            }
+        }
+    }
+
+    /** Looks whether two bodies meet on their present paths. */
+    void predict(Bodies bodies, int a, int b) {
+        double t0 = Math.max(paths.startTime(a), paths.startTime(b));
+        double d0x = paths.xAt(bodies, b, t0) - paths.xAt(bodies, a, t0);
+        double d0y = paths.yAt(bodies, b, t0) - paths.yAt(bodies, a, t0);
+        double d1x = bodies.x(b) - bodies.x(a);
+        double d1y = bodies.y(b) - bodies.y(a);
+        if (period != null) {
+            double shiftX = period.nearestX(d0x) - d0x;
+            double shiftY = period.nearestY(d0y) - d0y;
+            d0x += shiftX;
+            d0y += shiftY;
+            d1x += shiftX;
+            d1y += shiftY;
+        }
+        double sumOfRadii = bodies.radius(a) + bodies.radius(b);
+        double bx = Paths.accelerationX(bodies, b) - Paths.accelerationX(bodies, a);
+        double by = Paths.accelerationY(bodies, b) - Paths.accelerationY(bodies, a);
+        double t = TimeOfImpact.ofCircles(d0x, d0y, d1x, d1y, bx, by, t0, paths.dt(), sumOfRadii);
+        if (!Double.isNaN(t)) {
+            enqueue(bodies, a, b, t);
+        } else if (d1x * d1x + d1y * d1y < sumOfRadii * sumOfRadii) {
+            // Born inside each other, or pressed together: separating, but not yet apart.
+            approach.measure(bodies, a, b, t0);
+            touching.add(a, b, approach.contact());
+        }
+    }
+
+    private void predictWalls(Bodies bodies, int i) {
+        if (walls == null || walls.contains(bodies, i) || bodies.isFixed(i)) {
+            return;
+        }
+        double t0 = paths.startTime(i);
+        double r = bodies.radius(i);
+        for (int wall = WallSet.LEFT; wall >= WallSet.TOP; wall--) {
+            double gap0 = walls.gap(wall, paths.startX(i), paths.startY(i), r);
+            double gap1 = walls.gap(wall, bodies.x(i), bodies.y(i), r);
+            if (gap1 > 0) {
+                continue;
+            }
+            double inwards = Paths.accelerationX(bodies, i) * WallSet.normalX(wall)
+                    + Paths.accelerationY(bodies, i) * WallSet.normalY(wall);
+            double t = TimeOfImpact.ofWall(gap0, gap1, inwards, t0, paths.dt());
+            enqueue(bodies, i, wall, t);
+        }
+    }
+
+    /** Queues a bounce at time t, or lists a contact at rest; NaN for a body that is beyond a wall and on its way back. */
+    private void enqueue(Bodies bodies, int a, int b, double t) {
+        approach.measure(bodies, a, b, Double.isNaN(t) ? paths.startTime(a) : t);
+        if (approach.contact().inverseMass == 0) {
+            return; // two fixed bodies
+        }
+        boolean isAtRest = Double.isNaN(t) || approach.isGentle(bodies, a, b);
+        if (isAtRest || paths.mostImpacts(a, b) >= mostImpacts) {
+            touching.add(a, b, approach.contact());
+        } else {
+            queue.push(t, a, b, paths.impacts(a), paths.impacts(b));
+        }
+    }
+}
