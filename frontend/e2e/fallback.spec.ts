@@ -1,5 +1,5 @@
 import { type Apsis, startApsis } from './apsis';
-import { bodyCount, expect, test } from './test';
+import { bodyCount, expect, link, test } from './test';
 
 let apsis: Apsis;
 
@@ -13,7 +13,7 @@ test.use({ mayLoseServer: true });
 
 test('a_network_without_web_sockets_gets_sockjs', async ({ page }) => {
   await page.goto(apsis.url);
-  await expect(page.getByText(/^(Live|Delay)/)).toBeVisible({ timeout: 20_000 });
+  await expect(link(page)).toBeVisible({ timeout: 20_000 });
   await expect.poll(() => bodyCount(page)).toBeGreaterThan(10);
 
   const before = await bodyCount(page);

@@ -1,5 +1,5 @@
 import { type Apsis, startApsis } from './apsis';
-import { expect, find, openLive, test } from './test';
+import { expect, find, frames, link, openLive, test } from './test';
 
 let apsis: Apsis;
 
@@ -25,8 +25,9 @@ test('the_page_survives_a_restart_of_the_server', async ({ page }) => {
 
   await apsis.start();
   // Within two seconds of the server, without a reload, with the selection.
-  await expect(page.getByText(/^(Live|Delay)/)).toBeVisible({ timeout: 2500 });
+  await expect(link(page)).toBeVisible({ timeout: 2500 });
   await expect(page.getByText('Connection lost.')).toBeHidden();
   await expect(page.getByRole('heading', { name })).toBeVisible();
   await expect(page.getByRole('button', { name: 'Add planet' })).toBeEnabled();
+  await expect(frames(page)).toBeVisible();
 });

@@ -31,8 +31,14 @@ export { expect };
 
 export async function openLive(page: Page, url: string): Promise<void> {
   await page.goto(url);
-  await expect(page.getByText(/^(Live, [1-9]\d? Hz|Delay .* ms)$/)).toBeVisible();
+  await expect(frames(page)).toBeVisible();
 }
+
+/** What the header says of a link that stands; the footer has a figure called Delay as well. */
+export const link = (page: Page): Locator => page.getByRole('banner').getByText(/^(Live, \d+ Hz|Delay .* ms)$/);
+
+/** The same, once frames have been counted. */
+export const frames = (page: Page): Locator => page.getByRole('banner').getByText(/^(Live, [1-9]\d? Hz|Delay .* ms)$/);
 
 export const stage = (page: Page): Locator => page.getByRole('application');
 

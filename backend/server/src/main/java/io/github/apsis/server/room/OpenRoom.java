@@ -67,7 +67,8 @@ public final class OpenRoom {
         life.room.leave(client);
     }
 
-    void start() {
+    /** Starts the clock. */
+    public void start() {
         life.loop.start();
     }
 

@@ -41,14 +41,13 @@ public final class Rooms implements AutoCloseable {
         });
     }
 
-    /** Opens a room and starts its clock. Its frames go to the sink. */
+    /** Opens a room whose frames go to the sink. Its clock stands still until {@link OpenRoom#start}. */
     public OpenRoom open(RoomSpec spec, FrameSink sink) {
         ScheduledExecutorService thread = threads.get(nextThread.getAndIncrement() % threads.size());
         OpenRoom room = new OpenRoom(spec, sink, thread, nanoTime, failures::incrementAndGet);
         if (open.putIfAbsent(spec.id(), room) != null) {
             throw new IllegalStateException("there is a room " + spec.id() + " already");
         }
-        room.start();
         return room;
     }
 

@@ -38,7 +38,9 @@ final class TickLoop {
         this.schedule = new TickSchedule(nanoTime.getAsLong());
     }
 
+    /** The first tick is due now, whenever the loop was made. */
     void start() {
+        schedule.beginAt(nanoTime.getAsLong());
         scheduleNext();
     }
 

@@ -10,11 +10,17 @@ final class TickSchedule {
 
     private static final long SECOND = 1_000_000_000L;
 
-    private final long start;
+    private long start;
     private long next;
 
     TickSchedule(long start) {
         this.start = start;
+    }
+
+    /** The first tick is due now. */
+    void beginAt(long now) {
+        start = now;
+        next = 0;
     }
 
     /** When the next tick is due. */

@@ -6,17 +6,25 @@ import io.github.apsis.protocol.RoomInfo;
 import io.github.apsis.scenes.Scene;
 import io.github.apsis.scenes.SceneCatalogue;
 import io.github.apsis.server.room.FrameSink;
+import io.github.apsis.server.room.OpenRoom;
 import io.github.apsis.server.room.RoomSpec;
 import io.github.apsis.server.room.Rooms;
 import io.github.apsis.server.room.WarmUp;
+import org.springframework.boot.context.event.ApplicationReadyEvent;
 import org.springframework.boot.jackson.autoconfigure.JsonMapperBuilderCustomizer;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
+import org.springframework.context.event.EventListener;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Opens the public room. */
+/** Opens the public room. Its clock starts when all else has: a server that is still starting takes the tick its time. */
 @Configuration
 class RoomConfig {
+    @EventListener
+    void startClocks(ApplicationReadyEvent ready) {
+        ready.getApplicationContext().getBean(Rooms.class).all().forEach(OpenRoom::start);
+    }
+
     @Bean
     Rooms rooms(ApsisProperties properties, Scene scene, FrameSink sink) {
         WarmUp.run(scene, properties.seed());
