@@ -1,7 +1,6 @@
 package io.github.apsis.engine;
 
 import io.github.apsis.engine.body.BodyDef;
-import io.github.apsis.engine.body.BodyId;
 import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
@@ -110,9 +109,5 @@ public final class ReferenceCase {
         while (world.tick() < tick) {
             world.step();
         }
-    }
-
-    static BodyId id(long value) {
-        return new BodyId(value);
     }
 }

@@ -175,8 +175,10 @@ class ContactsTest {
         double after = world.conserved().energy().orElseThrow();
         double lost = world.ledger().energy();
         assertThat(lost).isLessThan(-0.3 * Math.abs(before)); // much is lost
-        // What the books do not explain is the error of the integrator and of contact times under a changing force.
-        assertThat((after - before - lost) / lost).as("seed %d", seed).isCloseTo(0, within(2e-2));
+        // What the books do not explain is the error of the integrator and of contact times under a changing force:
+        // 0.8e-4
+        // to 1.6e-4 of what is lost for the seeds 1 to 8, always a little more lost than booked.
+        assertThat((after - before - lost) / lost).as("seed %d", seed).isCloseTo(0, within(3e-4));
     }
 
     @Test

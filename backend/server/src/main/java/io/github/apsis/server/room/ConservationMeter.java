@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * thread.
  *
  * <pre>
- *   energy drift   = (E − E₀ − W) / (K₀ + |U₀|)     W: work that the ledger has booked since
+ *   energy drift   = (E − E₀ − W) / (K₀ + |U₀| + |W|)     W: work that the ledger has booked since
  *   momentum drift = |p − p₀ − J| / Σ|m·v|          J: impulses that it has booked since
  * </pre>
  */
