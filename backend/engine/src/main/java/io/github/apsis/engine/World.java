@@ -13,9 +13,14 @@ import io.github.apsis.engine.force.DirectGravity;
 import io.github.apsis.engine.force.ForceLaw;
 import io.github.apsis.engine.force.Forces;
 import io.github.apsis.engine.force.NearestImageGravity;
+import io.github.apsis.engine.force.UniformField;
+import io.github.apsis.engine.integration.AdaptiveTaylor;
 import io.github.apsis.engine.integration.Integrator;
+import io.github.apsis.engine.integration.Pefrl;
 import io.github.apsis.engine.integration.SemiImplicitEuler;
+import io.github.apsis.engine.integration.Symplectic8;
 import io.github.apsis.engine.integration.VelocityVerlet;
+import io.github.apsis.engine.integration.Yoshida4;
 import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.steering.Steering;
 import io.github.apsis.engine.stepping.TickStepper;
@@ -49,8 +54,10 @@ public final class World {
      * @throws IllegalStateException when a body leaves the numbers; the world must not be used any more
      */
     public void step() {
-        forces.ensureCurrent(bodies);
-        steering.decide(bodies, tick, spec.dt());
+        if (bodies.ships().length > 0) {
+            forces.ensureCurrent(bodies);
+            steering.decide(bodies, tick, spec.dt());
+        }
         stepper.step(bodies);
         tick++;
         requireNumbers();
@@ -203,6 +210,20 @@ public final class World {
         return switch (spec.integration()) {
             case SEMI_IMPLICIT_EULER -> new SemiImplicitEuler();
             case VELOCITY_VERLET -> new VelocityVerlet();
+            case YOSHIDA4 -> new Yoshida4();
+            case PEFRL -> new Pefrl();
+            case SYMPLECTIC8 -> new Symplectic8();
+            case ADAPTIVE -> adaptive(spec);
         };
+    }
+
+    private static Integrator adaptive(WorldSpec spec) {
+        double fieldX = 0;
+        double fieldY = 0;
+        for (ForceLaw law : spec.laws()) { // WorldSpec lets nothing else through
+            fieldX += ((UniformField) law).gx();
+            fieldY += ((UniformField) law).gy();
+        }
+        return new AdaptiveTaylor(spec.gravity(), spec.softening(), fieldX, fieldY, spec.tolerance());
     }
 }

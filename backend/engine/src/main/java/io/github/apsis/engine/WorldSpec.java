@@ -2,6 +2,8 @@ package io.github.apsis.engine;
 
 import io.github.apsis.engine.collision.Boundary;
 import io.github.apsis.engine.force.ForceLaw;
+import io.github.apsis.engine.force.UniformField;
+import io.github.apsis.engine.integration.AdaptiveTaylor;
 import io.github.apsis.engine.math.Aabb;
 import java.util.ArrayList;
 import java.util.List;
@@ -26,6 +28,7 @@ public final class WorldSpec {
     private final double softening;
     private final List<ForceLaw> laws;
     private final Integration integration;
+    private final double tolerance;
     private final OptionalDouble restitution;
     private final Boundary boundary;
     private final double slowingRadius;
@@ -38,6 +41,7 @@ public final class WorldSpec {
         softening = builder.softening;
         laws = List.copyOf(builder.laws);
         integration = builder.integration;
+        tolerance = builder.tolerance;
         restitution = builder.restitution;
         boundary = builder.boundary;
         slowingRadius = builder.slowingRadius;
@@ -69,6 +73,11 @@ public final class WorldSpec {
         return integration;
     }
 
+    /** Error of an adaptive step, relative to each separation. */
+    public double tolerance() {
+        return tolerance;
+    }
+
     /** Share of the normal speed that is left after a contact; empty for a world without contacts. */
     public OptionalDouble restitution() {
         return restitution;
@@ -96,10 +105,20 @@ public final class WorldSpec {
         return maxBodies;
     }
 
-    /** How positions and velocities advance. */
+    /** How positions and velocities advance; docs/accuracy says what each costs and how wrong it is. */
     public enum Integration {
+        /** Order 1, one evaluation of the forces a tick; for comparison. */
         SEMI_IMPLICIT_EULER,
-        VELOCITY_VERLET
+        /** Order 2, symplectic, one evaluation: for crowds and for contacts. */
+        VELOCITY_VERLET,
+        /** Order 4, symplectic, three evaluations. */
+        YOSHIDA4,
+        /** Order 4, symplectic, four evaluations and a far smaller error than Yoshida's. */
+        PEFRL,
+        /** Order 8, symplectic, seventeen evaluations, compensated: for long runs with long ticks. */
+        SYMPLECTIC8,
+        /** Steps of their own length to a tolerance: for few bodies, close encounters and numbers to rely on. */
+        ADAPTIVE
     }
 
     /** Collects the parts of a world; what is not named is not in it. */
@@ -108,6 +127,7 @@ public final class WorldSpec {
         private double softening;
         private final List<ForceLaw> laws = new ArrayList<>();
         private Integration integration = Integration.VELOCITY_VERLET;
+        private double tolerance = 1e-16;
         private OptionalDouble restitution = OptionalDouble.empty();
         private Boundary boundary = new Boundary.Open();
         private double slowingRadius = 100;
@@ -138,6 +158,18 @@ public final class WorldSpec {
         public Builder integration(Integration method) {
             this.integration = method;
             return this;
+        }
+
+        /**
+         * Integrates adaptively: every step keeps each separation to this tolerance relative to itself, 1e-16 to 1e-2. For
+         * gravity summed directly, uniform fields and thrust, and for no more than 256 bodies.
+         */
+        public Builder adaptive(double relativeError) {
+            if (!(relativeError >= 1e-16 && relativeError <= 1e-2)) {
+                throw new IllegalArgumentException("tolerance must be 1e-16 to 1e-2, was " + relativeError);
+            }
+            this.tolerance = relativeError;
+            return integration(Integration.ADAPTIVE);
         }
 
         /** Bodies collide, and leave a contact with this share of their normal speed. */
@@ -183,8 +215,28 @@ public final class WorldSpec {
             return this;
         }
 
+        /**
+         * @throws IllegalStateException when the parts do not go together; the message says which
+         */
         public WorldSpec build() {
+            if (integration == Integration.ADAPTIVE) {
+                requireAdaptable();
+            }
             return new WorldSpec(this);
+        }
+
+        private void requireAdaptable() {
+            for (ForceLaw law : laws) {
+                if (!(law instanceof UniformField)) {
+                    throw new IllegalStateException("adaptive integration knows gravity and uniform fields, not "
+                            + law.getClass().getSimpleName() + "; choose a symplectic method for it");
+                }
+            }
+            if (boundary instanceof Boundary.Periodic) {
+                throw new IllegalStateException(
+                        "adaptive integration does not know periodic worlds; choose a symplectic method for them");
+            }
+            maxBodies = Math.min(maxBodies, AdaptiveTaylor.MOST_BODIES);
         }
 
         private static double requirePositive(String name, double value) {

@@ -16,6 +16,7 @@ public final class Bodies {
     private int count;
     private long lastId;
     private boolean accelerationsCurrent;
+    private long revision;
     private final Ledger ledger = new Ledger();
     private double heldX; // force of the laws on all fixed bodies together, mass · length / time²
     private double heldY;
@@ -31,6 +32,12 @@ public final class Bodies {
     private double[] mass = new double[16];
     private double[] inverseMass = new double[16];
     private double[] radius = new double[16];
+
+    // What a position and a velocity have below their last bit: 0 unless an integrator carries it on.
+    private double[] xLow = new double[16];
+    private double[] yLow = new double[16];
+    private double[] vxLow = new double[16];
+    private double[] vyLow = new double[16];
 
     // Used by ships alone, by the same slot.
     private double[] maxSpeed = new double[16];
@@ -61,9 +68,18 @@ public final class Bodies {
         mass[i] = def.mass();
         inverseMass[i] = def.mobility() == Mobility.FIXED ? 0 : 1 / def.mass();
         radius[i] = def.radius();
+        clearLow(i);
         becomeShip(i, def.limits());
         accelerationsCurrent = false;
+        revision++;
         return i;
+    }
+
+    private void clearLow(int i) {
+        xLow[i] = 0;
+        yLow[i] = 0;
+        vxLow[i] = 0;
+        vyLow[i] = 0;
     }
 
     private void becomeShip(int i, @Nullable ShipLimits limits) {
@@ -91,11 +107,15 @@ public final class Bodies {
         for (double[] column : columns()) {
             System.arraycopy(column, i + 1, column, i, behind);
         }
+        for (double[] column : lowColumns()) {
+            System.arraycopy(column, i + 1, column, i, behind);
+        }
         ships = Arrays.stream(ships)
                 .filter(ship -> ship != i)
                 .map(ship -> ship > i ? ship - 1 : ship)
                 .toArray();
         accelerationsCurrent = false;
+        revision++;
     }
 
     private double[][] columns() {
@@ -121,6 +141,10 @@ public final class Bodies {
         };
     }
 
+    private double[][] lowColumns() {
+        return new double[][] {xLow, yLow, vxLow, vyLow};
+    }
+
     private void grow(int capacity) {
         id = Arrays.copyOf(id, capacity);
         kind = Arrays.copyOf(kind, capacity);
@@ -133,6 +157,10 @@ public final class Bodies {
         mass = Arrays.copyOf(mass, capacity);
         inverseMass = Arrays.copyOf(inverseMass, capacity);
         radius = Arrays.copyOf(radius, capacity);
+        xLow = Arrays.copyOf(xLow, capacity);
+        yLow = Arrays.copyOf(yLow, capacity);
+        vxLow = Arrays.copyOf(vxLow, capacity);
+        vyLow = Arrays.copyOf(vyLow, capacity);
         maxSpeed = Arrays.copyOf(maxSpeed, capacity);
         maxForce = Arrays.copyOf(maxForce, capacity);
         thrustX = Arrays.copyOf(thrustX, capacity);
@@ -182,6 +210,23 @@ public final class Bodies {
         return vy[i];
     }
 
+    /** What {@link #x} has lost to rounding: the true position is their sum. 0 unless the integrator carries it on. */
+    public double xLow(int i) {
+        return xLow[i];
+    }
+
+    public double yLow(int i) {
+        return yLow[i];
+    }
+
+    public double vxLow(int i) {
+        return vxLow[i];
+    }
+
+    public double vyLow(int i) {
+        return vyLow[i];
+    }
+
     /** Acceleration by the force laws at the last evaluation; thrust is apart. */
     public double ax(int i) {
         return ax[i];
@@ -214,7 +259,17 @@ public final class Bodies {
     public void moveTo(int i, double newX, double newY) {
         x[i] = newX;
         y[i] = newY;
+        xLow[i] = 0;
+        yLow[i] = 0;
         accelerationsCurrent = false;
+        revision++;
+    }
+
+    /** Puts a body on its image in a world that repeats itself; the forces there are the same. */
+    public void moveToImage(int i, double newX, double newY) {
+        x[i] = newX;
+        y[i] = newY;
+        revision++;
     }
 
     /** Shifts a body: accelerations no longer belong to the positions. */
@@ -222,12 +277,43 @@ public final class Bodies {
         x[i] += dx;
         y[i] += dy;
         accelerationsCurrent = false;
+        revision++;
     }
 
     /** Changes a velocity by an impulse per mass. */
     public void push(int i, double dvx, double dvy) {
         vx[i] += dvx;
         vy[i] += dvy;
+        revision++;
+    }
+
+    /** Grows whenever a body is added, removed, moved or pushed by anything but an integrator. */
+    public long revision() {
+        return revision;
+    }
+
+    /** Puts a body where an integrator has found it; the low parts are what the position has below its last bit. */
+    public void place(int i, double newX, double newXLow, double newY, double newYLow) {
+        x[i] = newX;
+        xLow[i] = newXLow;
+        y[i] = newY;
+        yLow[i] = newYLow;
+        accelerationsCurrent = false;
+    }
+
+    /** Gives a body the velocity that an integrator has found. */
+    public void setVelocity(int i, double newVx, double newVxLow, double newVy, double newVyLow) {
+        vx[i] = newVx;
+        vxLow[i] = newVxLow;
+        vy[i] = newVy;
+        vyLow[i] = newVyLow;
+    }
+
+    /** Gives a body the mean acceleration of its path, for those who look along it; it is not that of the laws. */
+    public void setAcceleration(int i, double newAx, double newAy) {
+        ax[i] = newAx;
+        ay[i] = newAy;
+        accelerationsCurrent = false;
     }
 
     /** Adds to the acceleration of a body; what a force law may do, and all that it may do. */
@@ -245,12 +331,50 @@ public final class Bodies {
         accelerationsCurrent = false;
     }
 
+    /** {@link #drift} that carries on what each sum loses to rounding (Kahan 1965, Comm. ACM 8, 40; Knuth's two-sum). */
+    public void driftCompensated(double h) {
+        for (int i = 0; i < count; i++) {
+            double step = vx[i] * h + (xLow[i] + vxLow[i] * h);
+            double sum = x[i] + step;
+            double taken = sum - x[i];
+            xLow[i] = (x[i] - (sum - taken)) + (step - taken);
+            x[i] = sum;
+            step = vy[i] * h + (yLow[i] + vyLow[i] * h);
+            sum = y[i] + step;
+            taken = sum - y[i];
+            yLow[i] = (y[i] - (sum - taken)) + (step - taken);
+            y[i] = sum;
+        }
+        accelerationsCurrent = false;
+    }
+
+    /** {@link #kick} that carries on what each sum loses to rounding. */
+    public void kickCompensated(double h) {
+        for (int i = 0; i < count; i++) {
+            double step = ax[i] * h + vxLow[i];
+            double sum = vx[i] + step;
+            double taken = sum - vx[i];
+            vxLow[i] = (vx[i] - (sum - taken)) + (step - taken);
+            vx[i] = sum;
+            step = ay[i] * h + vyLow[i];
+            sum = vy[i] + step;
+            taken = sum - vy[i];
+            vyLow[i] = (vy[i] - (sum - taken)) + (step - taken);
+            vy[i] = sum;
+        }
+        kickByOthers(h);
+    }
+
     /** v += (a + thrust / m) · h for every free body; thrust only where there are ships, and its work is booked. */
     public void kick(double h) {
         for (int i = 0; i < count; i++) {
             vx[i] += ax[i] * h;
             vy[i] += ay[i] * h;
         }
+        kickByOthers(h);
+    }
+
+    private void kickByOthers(double h) {
         for (int i : ships) {
             kickByThrust(i, h);
         }
@@ -301,6 +425,12 @@ public final class Bodies {
     public void copyPositions(double[] toX, double[] toY) {
         System.arraycopy(x, 0, toX, 0, count);
         System.arraycopy(y, 0, toY, 0, count);
+    }
+
+    /** Copies the velocities of all bodies. */
+    public void copyVelocities(double[] toVx, double[] toVy) {
+        System.arraycopy(vx, 0, toVx, 0, count);
+        System.arraycopy(vy, 0, toVy, 0, count);
     }
 
     /** The work and the impulses that came from outside the force laws. */
@@ -395,6 +525,13 @@ public final class Bodies {
         for (double[] column : columns()) {
             for (int i = 0; i < count; i++) {
                 hash = fold(hash, Double.doubleToLongBits(column[i] + 0.0)); // −0 and 0 are one state
+            }
+        }
+        for (double[] column : lowColumns()) {
+            for (int i = 0; i < count; i++) {
+                if (column[i] != 0) { // most integrators carry none
+                    hash = fold(fold(hash, i), Double.doubleToLongBits(column[i]));
+                }
             }
         }
         return hash;

@@ -55,8 +55,8 @@ public final class DirectGravity implements ForceLaw {
         var sum = new CompensatedSum();
         for (int i = 0; i < bodies.count(); i++) {
             for (int j = i + 1; j < bodies.count(); j++) {
-                double dx = bodies.x(j) - bodies.x(i);
-                double dy = bodies.y(j) - bodies.y(i);
+                double dx = bodies.x(j) - bodies.x(i) + (bodies.xLow(j) - bodies.xLow(i));
+                double dy = bodies.y(j) - bodies.y(i) + (bodies.yLow(j) - bodies.yLow(i));
                 double d = Math.sqrt(dx * dx + dy * dy + softeningSquared);
                 if (d > 0) {
                     sum.add(-g * bodies.mass(i) * bodies.mass(j) / d);

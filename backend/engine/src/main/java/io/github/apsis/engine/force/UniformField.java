@@ -17,6 +17,16 @@ public final class UniformField implements ForceLaw {
         this.gy = gy;
     }
 
+    /** Length / time². */
+    public double gx() {
+        return gx;
+    }
+
+    /** Length / time². */
+    public double gy() {
+        return gy;
+    }
+
     @Override
     public void apply(Bodies bodies) {
         for (int i = 0; i < bodies.count(); i++) {

@@ -3,16 +3,8 @@ package io.github.apsis.engine.integration;
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.force.Forces;
 
-/**
- * How positions and velocities advance by one tick, in two halves so that contacts can act on the path between them.
- *
- * <p>After {@link #move} every body stands at the end of its path, its velocity is the mean velocity of that path, and its
- * acceleration is the one the path was drawn with. After {@link #finish} positions and velocities belong to the same time.
- */
+/** How positions and velocities advance by one tick. A new integrator is one new class. */
 public interface Integrator {
-    /** Draws the path of one tick. */
-    void move(Bodies bodies, Forces forces, double dt);
-
-    /** Completes the velocities at the positions that are now final. */
-    void finish(Bodies bodies, Forces forces, double dt);
+    /** Advances all bodies by dt; then positions and velocities belong to the same time. */
+    void advance(Bodies bodies, Forces forces, double dt);
 }

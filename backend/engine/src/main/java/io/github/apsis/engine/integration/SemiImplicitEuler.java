@@ -13,7 +13,7 @@ import io.github.apsis.engine.force.Forces;
  * <p>Order 1, symplectic: the energy error stays bounded, at a size that falls only like dt. As dear as Verlet, so of use
  * for comparison and for scenes without forces.
  */
-public final class SemiImplicitEuler implements Integrator {
+public final class SemiImplicitEuler implements PathIntegrator {
     @Override
     public void move(Bodies bodies, Forces forces, double dt) {
         forces.ensureCurrent(bodies);

@@ -14,7 +14,7 @@ import io.github.apsis.engine.force.Forces;
  * <p>Order 2, symplectic and time-reversible: the energy error oscillates and does not grow. One evaluation of the forces a
  * tick, since the last one serves the next tick's first kick.
  */
-public final class VelocityVerlet implements Integrator {
+public final class VelocityVerlet implements PathIntegrator {
     @Override
     public void move(Bodies bodies, Forces forces, double dt) {
         forces.ensureCurrent(bodies);

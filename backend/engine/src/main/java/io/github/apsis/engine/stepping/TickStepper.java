@@ -4,7 +4,9 @@ import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.collision.Boundary;
 import io.github.apsis.engine.collision.ContactSolver;
 import io.github.apsis.engine.force.Forces;
+import io.github.apsis.engine.integration.Chord;
 import io.github.apsis.engine.integration.Integrator;
+import io.github.apsis.engine.integration.PathIntegrator;
 import io.github.apsis.engine.math.Period;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
@@ -13,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 public final class TickStepper {
     private final Integrator integrator;
     private final Forces forces;
+    private final @Nullable PathIntegrator path;
     private final @Nullable ContactSolver contacts;
     private final @Nullable Period period;
     private final double dt;
@@ -20,28 +23,37 @@ public final class TickStepper {
     public TickStepper(Integrator integrator, Forces forces, OptionalDouble restitution, Boundary boundary, double dt) {
         this.integrator = integrator;
         this.forces = forces;
-        this.contacts = restitution.isPresent() || boundary instanceof Boundary.Walls
-                ? new ContactSolver(restitution, boundary)
-                : null;
+        if (restitution.isPresent() || boundary instanceof Boundary.Walls) {
+            contacts = new ContactSolver(restitution, boundary);
+            path = integrator instanceof PathIntegrator p ? p : new Chord(integrator);
+        } else {
+            contacts = null;
+            path = null;
+        }
         this.period = boundary instanceof Boundary.Periodic p ? new Period(p.box()) : null;
         this.dt = dt;
     }
 
     public void step(Bodies bodies) {
-        if (contacts != null) {
-            contacts.begin(bodies, dt);
+        if (contacts != null && path != null) {
+            stepWithContacts(bodies, contacts, path);
+            return;
         }
-        integrator.move(bodies, forces, dt);
-        if (contacts != null) {
-            contacts.resolve(bodies);
-        }
+        integrator.advance(bodies, forces, dt);
         if (period != null) {
             wrap(bodies, period);
         }
-        integrator.finish(bodies, forces, dt);
-        if (contacts != null) {
-            contacts.settle(bodies);
+    }
+
+    private void stepWithContacts(Bodies bodies, ContactSolver solver, PathIntegrator paths) {
+        solver.begin(bodies, dt);
+        paths.move(bodies, forces, dt);
+        solver.resolve(bodies);
+        if (period != null) {
+            wrap(bodies, period);
         }
+        paths.finish(bodies, forces, dt);
+        solver.settle(bodies);
     }
 
     private static void wrap(Bodies bodies, Period period) {
@@ -49,7 +61,7 @@ public final class TickStepper {
             double x = period.insideX(bodies.x(i));
             double y = period.insideY(bodies.y(i));
             if (x != bodies.x(i) || y != bodies.y(i)) {
-                bodies.moveTo(i, x, y);
+                bodies.moveToImage(i, x, y);
             }
         }
     }
