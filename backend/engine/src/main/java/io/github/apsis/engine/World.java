@@ -26,6 +26,7 @@ import io.github.apsis.engine.steering.Steering;
 import io.github.apsis.engine.stepping.TickStepper;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One simulation: bodies under the laws of a {@link WorldSpec}, advanced tick by tick.
@@ -38,6 +39,7 @@ public final class World {
     private final Bodies bodies = new Bodies();
     private final Forces forces;
     private final Steering steering;
+    private final @Nullable AdaptiveTaylor adaptive;
     private final TickStepper stepper;
     private long tick;
 
@@ -45,7 +47,13 @@ public final class World {
         this.spec = spec;
         forces = new Forces(lawsOf(spec));
         steering = steeringOf(spec);
-        stepper = new TickStepper(integratorOf(spec), forces, spec.restitution(), spec.boundary(), spec.dt());
+        adaptive = spec.integration() == WorldSpec.Integration.ADAPTIVE ? adaptiveOf(spec) : null;
+        stepper = new TickStepper(
+                adaptive == null ? integratorOf(spec) : adaptive,
+                forces,
+                spec.restitution(),
+                spec.boundary(),
+                spec.dt());
     }
 
     /**
@@ -158,6 +166,16 @@ public final class World {
         return bodies.hash() * 31 + tick;
     }
 
+    /** How often two points have fallen into each other and were turned round, by the adaptive method. */
+    public long pointBounces() {
+        return adaptive == null ? 0 : adaptive.bounces();
+    }
+
+    /** The time that the bodies are behind the clock, since some ticks needed more steps than the adaptive method takes. */
+    public double lostTime() {
+        return adaptive == null ? 0 : adaptive.lostTime();
+    }
+
     /** Ticks since the world began. */
     public long tick() {
         return tick;
@@ -213,11 +231,11 @@ public final class World {
             case YOSHIDA4 -> new Yoshida4();
             case PEFRL -> new Pefrl();
             case SYMPLECTIC8 -> new Symplectic8();
-            case ADAPTIVE -> adaptive(spec);
+            case ADAPTIVE -> adaptiveOf(spec);
         };
     }
 
-    private static Integrator adaptive(WorldSpec spec) {
+    private static AdaptiveTaylor adaptiveOf(WorldSpec spec) {
         double fieldX = 0;
         double fieldY = 0;
         for (ForceLaw law : spec.laws()) { // WorldSpec lets nothing else through

@@ -32,6 +32,7 @@ public final class AdaptiveTaylor implements Integrator {
 
     private final GravitySeries series;
     private final double share;
+    private final double mostBend;
 
     private long revision = -1;
     private double step;
@@ -55,6 +56,10 @@ public final class AdaptiveTaylor implements Integrator {
         // Shorter steps are more steps, and their errors add up: the power lets the error of a run fall faster than the
         // tolerance.
         this.share = StrictMath.pow(tolerance, 1.2);
+        // Rounding grows with the root of the steps' length: at the finest tolerance no step turns a pair by more than
+        // a
+        // fourteenth. Coarser ones need not care.
+        this.mostBend = 0.1 * StrictMath.pow(share / StrictMath.pow(1e-16, 1.2), 2.0 / ORDER);
         this.series = new GravitySeries(g, softening, fieldX, fieldY, ORDER);
     }
 
@@ -113,7 +118,7 @@ public final class AdaptiveTaylor implements Integrator {
 
     private double reach(Bodies bodies) {
         series.expand(bodies);
-        return series.reach(share);
+        return series.reach(share, mostBend);
     }
 
     private void bookHeld(Bodies bodies, double t) {

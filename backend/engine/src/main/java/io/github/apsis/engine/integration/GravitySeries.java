@@ -21,8 +21,6 @@ import java.util.Arrays;
  * low parts of the positions. Costs n²/2 · 5/2 · order² multiplications.
  */
 final class GravitySeries {
-    private static final double MOST_BEND = 0.1; // of a separation, by the acceleration of one step
-
     private final double g; // length³ / (mass · time²)
     private final double softeningSquared; // length²
     private final double fieldX; // length / time²
@@ -46,7 +44,6 @@ final class GravitySeries {
     private double[] dx = new double[0];
     private double[] dy = new double[0];
     private double[] s = new double[0];
-    private double[] ls = new double[0]; // l · s[l]
     private double[] w = new double[0];
     private double[] inverse = new double[0]; // 1/s[0], and 0 for a pair that does not act
 
@@ -107,7 +104,6 @@ final class GravitySeries {
         dx = new double[pairs * stride];
         dy = new double[pairs * stride];
         s = new double[pairs * stride];
-        ls = new double[pairs * stride];
         w = new double[pairs * stride];
         inverse = new double[pairs];
     }
@@ -144,7 +140,6 @@ final class GravitySeries {
         dx[at] = ddx;
         dy[at] = ddy;
         s[at] = d2;
-        ls[at] = 0;
         if (!(d3 >= Double.MIN_NORMAL && d3 <= Double.MAX_VALUE)) {
             w[at] = 0; // coincident centres have no direction, and what is so far away does not pull
             inverse[pair] = 0;
@@ -258,19 +253,16 @@ final class GravitySeries {
             sk += mx * mx + my * my;
         }
         s[top] = sk;
-        ls[top] = k * sk;
         double sw = 0;
-        double lsw = 0;
         double fx = 0;
         double fy = 0;
         for (int l = 1; l <= k; l++) {
             double wl = w[top - l];
-            sw += s[at + l] * wl;
-            lsw += ls[at + l] * wl;
+            sw += (2 * k + l) * (s[at + l] * wl); // the factor is exact
             fx += dx[at + l] * wl;
             fy += dy[at + l] * wl;
         }
-        double wk = -inverse[pair] * (sw + lsw / (2 * k));
+        double wk = -inverse[pair] * (sw / (2 * k));
         w[top] = wk;
         fx += dx[at] * wk;
         fy += dy[at] * wk;
@@ -284,10 +276,9 @@ final class GravitySeries {
 
     /**
      * The longest step whose last two terms change no separation by more than this share of it, which stays within half the
-     * radius of convergence of every pair's pull, and in which no pair bends by more than a fourteenth of a turn: longer steps
-     * are accurate too, but rounding grows with the root of their length.
+     * radius of convergence of every pair's pull, and in which no acceleration changes a separation by more than a given share.
      */
-    double reach(double share) {
+    double reach(double error, double mostBend) {
         double last = 0;
         double lastButOne = 0;
         double pull = 0;
@@ -295,24 +286,22 @@ final class GravitySeries {
         int pair = 0;
         for (int i = 0; i < count; i++) {
             for (int j = i + 1; j < count; j++, pair++) {
-                bend = Math.max(bend, separation(i, j, 2) * inverse[pair]);
-                last = Math.max(last, separation(i, j, order) * inverse[pair]);
-                lastButOne = Math.max(lastButOne, separation(i, j, order - 1) * inverse[pair]);
-                double ratio = inverse[pair] == 0 ? 0 : w[pair * stride + order - 2] / w[pair * stride];
-                pull = Math.max(pull, ratio * ratio);
+                double inverseDistance = Math.sqrt(inverse[pair]);
+                last = Math.max(last, separation(i, j, order) * inverseDistance);
+                lastButOne = Math.max(lastButOne, separation(i, j, order - 1) * inverseDistance);
+                bend = Math.max(bend, separation(i, j, 2) * inverseDistance);
+                pull = Math.max(
+                        pull, inverse[pair] == 0 ? 0 : Math.abs(w[pair * stride + order - 2] / w[pair * stride]));
             }
         }
-        double steps =
-                Math.min(root(share * share / last, 2 * order), root(share * share / lastButOne, 2 * (order - 1)));
-        double smooth = Math.min(0.5 * root(1 / pull, 2 * (order - 2)), root(MOST_BEND * MOST_BEND / bend, 4));
-        return Math.min(steps, smooth);
+        double accurate = Math.min(root(error / last, order), root(error / lastButOne, order - 1));
+        double smooth = Math.min(0.5 * root(1 / pull, order - 2), root(mostBend / bend, 2));
+        return Math.min(accurate, smooth);
     }
 
-    /** The square of coefficient k of a separation. */
+    /** Coefficient k of a separation, in the sum norm: its square would overflow in a close encounter. */
     private double separation(int i, int j, int k) {
-        double ux = x[j * stride + k] - x[i * stride + k];
-        double uy = y[j * stride + k] - y[i * stride + k];
-        return ux * ux + uy * uy;
+        return Math.abs(x[j * stride + k] - x[i * stride + k]) + Math.abs(y[j * stride + k] - y[i * stride + k]);
     }
 
     /**
@@ -344,7 +333,7 @@ final class GravitySeries {
         int pair = 0;
         for (int i = 0; i < count; i++) {
             for (int j = i + 1; j < count; j++, pair++) {
-                double ratio = separation(i, j, order) * inverse[pair];
+                double ratio = separation(i, j, order) * Math.sqrt(inverse[pair]);
                 if (ratio > largest) {
                     largest = ratio;
                     first = i;
