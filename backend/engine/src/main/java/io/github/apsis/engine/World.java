@@ -9,6 +9,7 @@ import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.body.Ledger;
 import io.github.apsis.engine.collision.Boundary;
 import io.github.apsis.engine.diagnostics.Conserved;
+import io.github.apsis.engine.diagnostics.Resolution;
 import io.github.apsis.engine.force.DirectGravity;
 import io.github.apsis.engine.force.ForceLaw;
 import io.github.apsis.engine.force.Forces;
@@ -25,6 +26,7 @@ import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.steering.Steering;
 import io.github.apsis.engine.stepping.TickStepper;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -41,6 +43,7 @@ public final class World {
     private final Steering steering;
     private final @Nullable AdaptiveTaylor adaptive;
     private final TickStepper stepper;
+    private final List<Departure> departures = new ArrayList<>();
     private long tick;
 
     public World(WorldSpec spec) {
@@ -57,18 +60,28 @@ public final class World {
     }
 
     /**
-     * Advances by one tick: ships decide, bodies move, contacts bend their paths, the edge of the world has its say.
+     * Advances by one tick: ships decide, bodies move, contacts bend their paths, the edge of the world has its say. What is
+     * too far or too fast for numbers then leaves the world: {@link #departures}. A tick of no length changes no body.
      *
-     * @throws IllegalStateException when a body leaves the numbers; the world must not be used any more
+     * @throws IllegalStateException when a body is nowhere (NaN); the world must not be used any more
      */
     public void step() {
+        if (spec.dt() > 0) {
+            decide();
+            stepper.step(bodies);
+        }
+        tick++;
+        if (!bodies.areWithinNumbers()) {
+            requireNumbers();
+            letGo();
+        }
+    }
+
+    private void decide() {
         if (bodies.ships().length > 0) {
             forces.ensureCurrent(bodies);
             steering.decide(bodies, tick, spec.dt());
         }
-        stepper.step(bodies);
-        tick++;
-        requireNumbers();
     }
 
     /** Does one command now, between two ticks, or says why it cannot be done. */
@@ -156,9 +169,19 @@ public final class World {
         return Conserved.of(bodies, forces);
     }
 
+    /** The spacing of doubles as a share of what a body moves in a tick, the worst of all: see {@link Resolution}. */
+    public double resolution() {
+        return Resolution.of(bodies, spec.dt());
+    }
+
     /** The work and the impulses of engines, contacts and walls since the world began. */
     public Ledger ledger() {
         return bodies.ledger();
+    }
+
+    /** The bodies that have left of themselves since the world began, in that order: a view that grows. */
+    public List<Departure> departures() {
+        return Collections.unmodifiableList(departures);
     }
 
     /** A hash of the whole state, tick included: equal histories have equal hashes. */
@@ -181,9 +204,9 @@ public final class World {
         return tick;
     }
 
-    /** tick · dt: never a sum of steps, so it does not drift. */
+    /** tick · dt: never a sum of steps, so it does not drift. See {@link WorldSpec#timeAt}. */
     public double time() {
-        return tick * spec.dt();
+        return spec.timeAt(tick);
     }
 
     /** How many bodies there are. */
@@ -197,11 +220,26 @@ public final class World {
 
     private void requireNumbers() {
         for (int i = 0; i < bodies.count(); i++) {
-            double sum = bodies.x(i) + bodies.y(i) + bodies.vx(i) + bodies.vy(i);
-            if (!Double.isFinite(sum)) {
+            if (Double.isNaN(bodies.x(i))
+                    || Double.isNaN(bodies.y(i))
+                    || Double.isNaN(bodies.vx(i))
+                    || Double.isNaN(bodies.vy(i))) {
                 throw new IllegalStateException(
                         "body " + bodies.idValue(i) + " left the numbers at tick " + tick + ": (" + bodies.x(i) + ", "
                                 + bodies.y(i) + ") at (" + bodies.vx(i) + ", " + bodies.vy(i) + ")");
+            }
+        }
+    }
+
+    private void letGo() {
+        int i = 0;
+        while (i < bodies.count()) {
+            if (bodies.isTooFar(i) || bodies.isTooFast(i)) {
+                var reason = bodies.isTooFar(i) ? Departure.Reason.TOO_FAR : Departure.Reason.TOO_FAST;
+                departures.add(new Departure(bodies.id(i), tick, reason));
+                bodies.remove(i);
+            } else {
+                i++;
             }
         }
     }

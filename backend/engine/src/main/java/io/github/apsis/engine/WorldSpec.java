@@ -97,6 +97,15 @@ public final class WorldSpec {
         return dt;
     }
 
+    /**
+     * The time at a tick, from the count and never a sum: tick · dt, and tick / n where dt is the double nearest to 1/n. So
+     * it is wrong by half a unit in its last place, at any tick.
+     */
+    public double timeAt(long tick) {
+        double ticksPerTime = Math.rint(1 / dt);
+        return dt == 1 / ticksPerTime ? tick / ticksPerTime : tick * dt;
+    }
+
     public long seed() {
         return seed;
     }
@@ -198,9 +207,12 @@ public final class WorldSpec {
             return this;
         }
 
-        /** Length of a tick, in the time unit of the scene. */
+        /** Length of a tick, in the time unit of the scene; with 0 the world stands still. */
         public Builder dt(double tick) {
-            this.dt = requirePositive("dt", tick);
+            if (!(tick >= 0) || Double.isInfinite(tick)) {
+                throw new IllegalArgumentException("dt must be 0 or more and finite, was " + tick);
+            }
+            this.dt = tick;
             return this;
         }
 

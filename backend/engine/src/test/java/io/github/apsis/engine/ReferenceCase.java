@@ -19,6 +19,16 @@ public final class ReferenceCase {
         return new ReferenceCase(json(id));
     }
 
+    /** One of the hard inputs in {@code robust.json}. */
+    static ReferenceCase robust(String id) {
+        for (JsonNode hard : json("robust").get("cases")) {
+            if (hard.get("id").asString().equals(id)) {
+                return new ReferenceCase(hard);
+            }
+        }
+        throw new IllegalArgumentException("robust.json has no case " + id);
+    }
+
     static JsonNode json(String id) {
         try (InputStream in = ReferenceCase.class.getResourceAsStream("/reference/" + id + ".json")) {
             return JsonMapper.shared().readTree(in);
@@ -39,11 +49,29 @@ public final class ReferenceCase {
     /** A world with the bodies of the case. */
     public World world(WorldSpec spec) {
         World world = new World(spec);
-        for (JsonNode body : root.get("bodies")) {
-            world.add(BodyDef.planet(at(body, "x"), at(body, "y"), at(body, "m"), at(body, "r"))
-                    .moving(at(body, "vx"), at(body, "vy")));
+        for (BodyDef body : bodies()) {
+            world.add(body);
         }
         return world;
+    }
+
+    /** The bodies of the case: listed, or one repeated along x. */
+    List<BodyDef> bodies() {
+        List<BodyDef> bodies = new ArrayList<>();
+        for (JsonNode body : root.path("bodies")) {
+            bodies.add(body(body));
+        }
+        JsonNode repeat = root.path("repeat");
+        for (int k = 0; k < repeat.path("n").asInt(0); k++) {
+            BodyDef body = body(repeat.get("body"));
+            bodies.add(body.at(body.x() + k * repeat.path("dx").asDouble(0), body.y()));
+        }
+        return bodies;
+    }
+
+    private static BodyDef body(JsonNode body) {
+        return BodyDef.planet(at(body, "x"), at(body, "y"), at(body, "m"), at(body, "r"))
+                .moving(at(body, "vx"), at(body, "vy"));
     }
 
     private static double at(JsonNode body, String name) {

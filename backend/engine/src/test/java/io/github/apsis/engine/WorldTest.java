@@ -109,7 +109,7 @@ class WorldTest {
 
         run(empty, 150 * 1000);
 
-        assertThat(empty.time()).isEqualTo(150_000 * (1.0 / 150)); // a sum of 150 000 roundings would be 4e-10 off
+        assertThat(empty.time()).isEqualTo(1000); // a sum of 150 000 roundings would be 4e-10 off
     }
 
     @Test
@@ -124,11 +124,11 @@ class WorldTest {
     }
 
     @ParameterizedTest
-    @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, -1, 0})
+    @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, -1})
     void no_body_has_an_impossible_mass(double mass) {
         assertThatThrownBy(() -> BodyDef.planet(0, 0, mass, 1))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("mass must be positive and finite, was " + mass);
+                .hasMessage("mass must be 0 or more and finite, was " + mass);
     }
 
     @Test

@@ -11,6 +11,21 @@ import org.jspecify.annotations.Nullable;
  * cost nothing against bare arrays, and an object per body was 3 to 18 times slower to integrate.
  */
 public final class Bodies {
+    /** A coordinate that reaches this is out of the world, length: two of them still have a finite difference. */
+    public static final double FARTHEST = 1e300;
+
+    /** A speed that reaches this is out of the world, length / time: its square is still a number. */
+    public static final double FASTEST = 1e150;
+
+    /**
+     * In contacts a body without mass is the limit m → 0: against this inverse mass that of any body with mass vanishes, two
+     * of them share an impulse evenly, and the impulse that turns a speed of 1e-150 is still a normal number.
+     */
+    private static final double MASSLESS = 1e150; // 1 / mass
+
+    /** A position so many times its step away from 0 loses a millionth of the step to rounding. */
+    private static final double FAR = 1e10;
+
     private static final double NO_TARGET = Double.NaN;
 
     private int count;
@@ -61,12 +76,14 @@ public final class Bodies {
         kind[i] = def.kind();
         x[i] = def.x();
         y[i] = def.y();
+        xLow[i] = 0;
+        yLow[i] = 0;
         vx[i] = def.vx();
         vy[i] = def.vy();
         ax[i] = 0;
         ay[i] = 0;
         mass[i] = def.mass();
-        inverseMass[i] = def.mobility() == Mobility.FIXED ? 0 : 1 / def.mass();
+        inverseMass[i] = def.mobility() == Mobility.FIXED ? 0 : Math.min(1 / def.mass(), MASSLESS);
         radius[i] = def.radius();
         clearLow(i);
         becomeShip(i, def.limits());
@@ -240,7 +257,7 @@ public final class Bodies {
         return mass[i];
     }
 
-    /** 1 / mass, and 0 for a fixed body. */
+    /** 1 / mass; 0 for a fixed body, and 1e150 for one without mass or with next to none. */
     public double inverseMass(int i) {
         return inverseMass[i];
     }
@@ -322,11 +339,20 @@ public final class Bodies {
         ay[i] += day;
     }
 
-    /** x += v · h for every body. */
+    /**
+     * x += v · h for every body. Where rounding takes more than a millionth of a step, far from the origin or at next to no
+     * speed, the next step makes up for it (Kahan 1965, Comm. ACM 8, 40): otherwise a body stands still, and falls without moving.
+     */
     public void drift(double h) {
         for (int i = 0; i < count; i++) {
-            x[i] += vx[i] * h;
-            y[i] += vy[i] * h;
+            double stepX = vx[i] * h + xLow[i];
+            double stepY = vy[i] * h + yLow[i];
+            double newX = x[i] + stepX;
+            double newY = y[i] + stepY;
+            xLow[i] = lost(x[i], stepX, newX);
+            yLow[i] = lost(y[i], stepY, newY);
+            x[i] = newX;
+            y[i] = newY;
         }
         accelerationsCurrent = false;
     }
@@ -363,6 +389,15 @@ public final class Bodies {
             vy[i] = sum;
         }
         kickByOthers(h);
+    }
+
+    /** The error of {@code sum = from + step} (Knuth's TwoSum) where it matters, and never that of an infinite sum. */
+    private static double lost(double from, double step, double sum) {
+        if (Math.abs(sum) <= FAR * Math.abs(step) || Math.abs(sum) >= FARTHEST) {
+            return 0;
+        }
+        double took = sum - from;
+        return (from - (sum - took)) + (step - took);
     }
 
     /** v += (a + thrust / m) · h for every free body; thrust only where there are ships, and its work is booked. */
@@ -419,6 +454,46 @@ public final class Bodies {
     /** Whether {@link #ax} and {@link #ay} belong to the present positions. */
     public boolean accelerationsCurrent() {
         return accelerationsCurrent;
+    }
+
+    /** Whether a body has reached {@link #FARTHEST}; false for NaN. */
+    public boolean isTooFar(int i) {
+        return Math.abs(x[i]) >= FARTHEST || Math.abs(y[i]) >= FARTHEST;
+    }
+
+    /** Whether a body has reached {@link #FASTEST}; false for NaN. */
+    public boolean isTooFast(int i) {
+        return vx[i] * vx[i] + vy[i] * vy[i] >= FASTEST * FASTEST;
+    }
+
+    /** Cuts what has passed {@link #FARTHEST} or {@link #FASTEST} back to it: no infinity reaches the other bodies. */
+    public void keepFinite() {
+        if (areWithinNumbers()) {
+            return;
+        }
+        for (int i = 0; i < count; i++) {
+            if (isTooFar(i) || isTooFast(i)) {
+                x[i] = cut(x[i], FARTHEST);
+                y[i] = cut(y[i], FARTHEST);
+                vx[i] = cut(vx[i], FASTEST);
+                vy[i] = cut(vy[i], FASTEST);
+                accelerationsCurrent = false;
+            }
+        }
+    }
+
+    /** Whether no body is too far, too fast or nowhere: what every tick asks, in one pass. */
+    public boolean areWithinNumbers() {
+        boolean within = true;
+        for (int i = 0; i < count; i++) {
+            double speed2 = vx[i] * vx[i] + vy[i] * vy[i];
+            within &= Math.abs(x[i]) < FARTHEST && Math.abs(y[i]) < FARTHEST && speed2 < FASTEST * FASTEST;
+        }
+        return within;
+    }
+
+    private static double cut(double value, double most) {
+        return Math.max(-most, Math.min(most, value)); // NaN stays
     }
 
     /** Copies the positions of all bodies, for those who need to know the path through a tick. */

@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * @param y position of the centre, length
  * @param vx velocity, length / time; 0 for a fixed body
  * @param vy velocity, length / time; 0 for a fixed body
- * @param mass positive and finite
+ * @param mass finite and 0 or more, for a ship more: a body without mass feels the others and they do not feel it
  * @param radius of the bounding circle, which is what collides; 0 makes a point
  * @param mobility whether it moves
  * @param limits of a ship's engine; {@code null} for everything else
@@ -30,15 +30,16 @@ public record BodyDef(
         requireFinite("y", y);
         requireFinite("vx", vx);
         requireFinite("vy", vy);
-        requirePositive("mass", mass);
-        if (!(radius >= 0) || Double.isInfinite(radius)) {
-            throw new IllegalArgumentException("radius must be 0 or more and finite, was " + radius);
-        }
+        requireNotNegative("mass", mass);
+        requireNotNegative("radius", radius);
         if (mobility == Mobility.FIXED && (vx != 0 || vy != 0)) {
             throw new IllegalArgumentException("a fixed body has no velocity, was (" + vx + ", " + vy + ")");
         }
         if ((kind == BodyKind.SHIP) != (limits != null)) {
             throw new IllegalArgumentException("a ship needs limits and only a ship has them: " + kind + ", " + limits);
+        }
+        if (kind == BodyKind.SHIP) {
+            requirePositive("mass of a ship", mass);
         }
     }
 
@@ -75,6 +76,12 @@ public record BodyDef(
     static void requireFinite(String name, double value) {
         if (!Double.isFinite(value)) {
             throw new IllegalArgumentException(name + " must be finite, was " + value);
+        }
+    }
+
+    private static void requireNotNegative(String name, double value) {
+        if (!(value >= 0) || Double.isInfinite(value)) { // the negation also catches NaN
+            throw new IllegalArgumentException(name + " must be 0 or more and finite, was " + value);
         }
     }
 

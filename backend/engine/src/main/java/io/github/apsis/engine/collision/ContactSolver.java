@@ -3,6 +3,7 @@ package io.github.apsis.engine.collision;
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.math.Period;
 import java.util.OptionalDouble;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The contacts of a tick, with each other and with walls: first the bounces, each at its true time, then what lies at rest.
@@ -14,6 +15,7 @@ public final class ContactSolver {
     private final Paths paths = new Paths();
     private final Impacts impacts;
     private final RestingContacts resting;
+    private final @Nullable WallStop stop;
 
     /**
      * @param restitution between bodies; empty when they do not collide with each other
@@ -27,6 +29,7 @@ public final class ContactSolver {
         var touching = new Touching();
         impacts = new Impacts(restitution.orElse(0), wallRestitution, broadPhase, walls, period, paths, touching);
         resting = new RestingContacts(touching, walls, period);
+        stop = walls == null ? null : new WallStop(walls);
     }
 
     /** Remembers where the paths of this tick begin. */
@@ -38,6 +41,9 @@ public final class ContactSolver {
     public void resolve(Bodies bodies) {
         impacts.resolve(bodies);
         resting.hold(bodies, paths.dt());
+        if (stop != null) {
+            stop.stop(bodies, paths.dt());
+        }
     }
 
     /** Leaves no pair at rest closing, when positions and velocities belong to the same time. */

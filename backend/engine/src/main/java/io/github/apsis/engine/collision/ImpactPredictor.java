@@ -97,6 +97,10 @@ final class ImpactPredictor {
 
     /** Looks whether two bodies meet on their present paths. */
     void predict(Bodies bodies, int a, int b) {
+        double sumOfRadii = bodies.radius(a) + bodies.radius(b);
+        if (sumOfRadii == 0) {
+            return; // points never touch, and their contact would have no normal
+        }
         double t0 = Math.max(paths.startTime(a), paths.startTime(b));
         double d0x = paths.xAt(bodies, b, t0) - paths.xAt(bodies, a, t0);
         double d0y = paths.yAt(bodies, b, t0) - paths.yAt(bodies, a, t0);
@@ -110,7 +114,6 @@ final class ImpactPredictor {
             d1x += shiftX;
             d1y += shiftY;
         }
-        double sumOfRadii = bodies.radius(a) + bodies.radius(b);
         double bx = Paths.accelerationX(bodies, b) - Paths.accelerationX(bodies, a);
         double by = Paths.accelerationY(bodies, b) - Paths.accelerationY(bodies, a);
         double t = TimeOfImpact.ofCircles(d0x, d0y, d1x, d1y, bx, by, t0, paths.dt(), sumOfRadii);

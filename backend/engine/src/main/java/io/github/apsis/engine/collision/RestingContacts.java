@@ -29,8 +29,13 @@ final class RestingContacts {
     /** Bodies born inside each other part by at most this share of their radii per round, not by an explosion. */
     private static final double LARGEST_PUSH = 0.01;
 
+    /** And no body is parted faster than this, in mean radii of its contact per time: a crowd spreads, it does not burst. */
+    private static final double PARTING_SPEED = 10;
+
     private final Touching touching;
     private final ContactGeometry contact;
+    private final Extrapolation extrapolation = new Extrapolation();
+    private double[] leeway = new double[16]; // how far parting may still move a body in this tick, length
 
     RestingContacts(Touching touching, @Nullable WallSet walls, @Nullable Period period) {
         this.touching = touching;
@@ -42,11 +47,16 @@ final class RestingContacts {
         if (touching.size() == 0) {
             return;
         }
+        extrapolation.begin(bodies, touching);
         double first = holdAll(bodies, 0, dt);
         double largest = first;
         for (int round = 1; round < MOST_ROUNDS && largest > SETTLED * first; round++) {
+            if (round % 2 == 0 && extrapolation.proceed(touching)) {
+                jumpHolding(bodies, dt);
+            }
             largest = holdAll(bodies, round, dt);
         }
+        limitParting(bodies, dt);
         boolean overlapping = true;
         for (int round = 0; round < MOST_PARTING_ROUNDS && overlapping; round++) {
             overlapping = partAll(bodies, round);
@@ -59,11 +69,35 @@ final class RestingContacts {
             return;
         }
         touching.clearImpulses();
+        extrapolation.begin(bodies, touching);
         double first = settleAll(bodies, 0);
         double largest = first;
         for (int round = 1; round < MOST_ROUNDS && largest > SETTLED * first; round++) {
+            if (round % 2 == 0 && extrapolation.proceed(touching)) {
+                jumpSettling(bodies);
+            }
             largest = settleAll(bodies, round);
         }
+    }
+
+    private void jumpHolding(Bodies bodies, double dt) {
+        for (int k = 0; k < touching.size(); k++) {
+            holdBy(bodies, k, extra(k), dt);
+        }
+    }
+
+    private void jumpSettling(Bodies bodies) {
+        for (int k = 0; k < touching.size(); k++) {
+            contact.fillNow(bodies, touching.first(k), touching.second(k));
+            settleBy(bodies, k, extra(k));
+        }
+    }
+
+    /** The impulse that a jump adds to a contact before its next round. */
+    private double extra(int k) {
+        double extra = extrapolation.extra(k);
+        touching.setImpulse(k, touching.impulse(k) + extra);
+        return extra;
     }
 
     private double holdAll(Bodies bodies, int round, double dt) {
@@ -91,6 +125,28 @@ final class RestingContacts {
         return moved;
     }
 
+    private void limitParting(Bodies bodies, double dt) {
+        if (bodies.count() > leeway.length) {
+            leeway = new double[Math.max(bodies.count(), 2 * leeway.length)];
+        }
+        for (int k = 0; k < touching.size(); k++) {
+            leeway[touching.first(k)] = 0;
+            if (touching.second(k) >= 0) {
+                leeway[touching.second(k)] = 0;
+            }
+        }
+        for (int k = 0; k < touching.size(); k++) {
+            int a = touching.first(k);
+            int b = touching.second(k);
+            double radius = b < 0 ? bodies.radius(a) : 0.5 * (bodies.radius(a) + bodies.radius(b));
+            double most = PARTING_SPEED * radius * dt;
+            leeway[a] = Math.max(leeway[a], most);
+            if (b >= 0) {
+                leeway[b] = Math.max(leeway[b], most);
+            }
+        }
+    }
+
     /** Every other round runs backwards: what one end of a stack knows reaches the other in one round. */
     private int inTurn(int k, int round) {
         return round % 2 == 0 ? k : touching.size() - 1 - k;
@@ -105,9 +161,16 @@ final class RestingContacts {
         }
         double missing = Math.min(0, touching.firstGap(k)) - contact.gap;
         double impulse = addedImpulse(k, missing / dt);
+        holdBy(bodies, k, impulse, dt);
+        return Math.abs(impulse) * contact.inverseMass;
+    }
+
+    private void holdBy(Bodies bodies, int k, double impulse, double dt) {
         if (impulse == 0) {
-            return 0;
+            return;
         }
+        int a = touching.first(k);
+        int b = touching.second(k);
         double px = impulse * touching.normalX(k);
         double py = impulse * touching.normalY(k);
         double halfTick = 0.5 * dt;
@@ -117,7 +180,6 @@ final class RestingContacts {
         if (b >= 0) {
             lift(bodies, b, px * dt, py * dt);
         }
-        return Math.abs(impulse) * contact.inverseMass;
     }
 
     private double settle(Bodies bodies, int k) {
@@ -131,14 +193,18 @@ final class RestingContacts {
         double wx = (b < 0 ? 0 : bodies.vx(b)) - bodies.vx(a);
         double wy = (b < 0 ? 0 : bodies.vy(b)) - bodies.vy(a);
         double impulse = addedImpulse(k, -(wx * contact.nx + wy * contact.ny));
+        settleBy(bodies, k, impulse);
+        return Math.abs(impulse) * contact.inverseMass;
+    }
+
+    private void settleBy(Bodies bodies, int k, double impulse) {
         if (impulse == 0) {
-            return 0;
+            return;
         }
         double px = impulse * contact.nx;
         double py = impulse * contact.ny;
-        bookWork(bodies, a, b, px, py, 0);
-        push(bodies, a, b, px, py);
-        return Math.abs(impulse) * contact.inverseMass;
+        bookWork(bodies, touching.first(k), touching.second(k), px, py, 0);
+        push(bodies, touching.first(k), touching.second(k), px, py);
     }
 
     /** The impulse that adds this separating speed, cut so that the contact's impulses together never pull. */
@@ -180,11 +246,28 @@ final class RestingContacts {
             return false;
         }
         double push = Math.min(-contact.gap, LARGEST_PUSH * size) / contact.inverseMass;
-        lift(bodies, a, -push * contact.nx, -push * contact.ny);
+        push = withinLeeway(bodies, a, push);
         if (b >= 0) {
-            lift(bodies, b, push * contact.nx, push * contact.ny);
+            push = withinLeeway(bodies, b, push);
+        }
+        if (push == 0) {
+            return false;
+        }
+        partBy(bodies, a, -push, contact.nx, contact.ny);
+        if (b >= 0) {
+            partBy(bodies, b, push, contact.nx, contact.ny);
         }
         return true;
+    }
+
+    /** Cuts a push, mass · length, to what this body may still move. */
+    private double withinLeeway(Bodies bodies, int i, double push) {
+        return bodies.isFixed(i) ? push : Math.min(push, leeway[i] / bodies.inverseMass(i));
+    }
+
+    private void partBy(Bodies bodies, int i, double push, double nx, double ny) {
+        leeway[i] = Math.max(0, leeway[i] - Math.abs(push) * bodies.inverseMass(i));
+        lift(bodies, i, push * nx, push * ny);
     }
 
     /** Moves a free body by {@code (mx, my) / m}, and books what that lifts it against the forces. */

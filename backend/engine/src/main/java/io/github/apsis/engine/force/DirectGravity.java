@@ -37,8 +37,8 @@ public final class DirectGravity implements ForceLaw {
                 double dy = bodies.y(j) - yi;
                 double d2 = dx * dx + dy * dy + softeningSquared;
                 double d3 = d2 * Math.sqrt(d2);
-                if (d3 < Double.MIN_NORMAL) {
-                    continue; // coincident centres: the pull has no direction
+                if (!(d3 >= Double.MIN_NORMAL && d3 <= Double.MAX_VALUE)) {
+                    continue; // coincident centres, whose pull has no direction, or so far that it is 0
                 }
                 double pull = g / d3;
                 axi += pull * bodies.mass(j) * dx;

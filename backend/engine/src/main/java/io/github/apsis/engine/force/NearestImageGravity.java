@@ -31,8 +31,8 @@ public final class NearestImageGravity implements ForceLaw {
                 double dy = period.nearestY(bodies.y(j) - bodies.y(i));
                 double d2 = dx * dx + dy * dy + softeningSquared;
                 double d3 = d2 * Math.sqrt(d2);
-                if (d3 < Double.MIN_NORMAL) {
-                    continue; // coincident centres: the pull has no direction
+                if (!(d3 >= Double.MIN_NORMAL && d3 <= Double.MAX_VALUE)) {
+                    continue; // coincident centres, whose pull has no direction, or so far that it is 0
                 }
                 double pull = g / d3;
                 bodies.accelerate(i, pull * bodies.mass(j) * dx, pull * bodies.mass(j) * dy);

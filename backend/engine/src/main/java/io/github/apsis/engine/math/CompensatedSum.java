@@ -15,7 +15,9 @@ public final class CompensatedSum {
         sum = next;
     }
 
+    /** The sum; infinite where it left the range of doubles. */
     public double value() {
-        return sum + compensation;
+        double value = sum + compensation;
+        return Double.isNaN(value) ? sum : value; // no error is left to correct in an infinite sum
     }
 }

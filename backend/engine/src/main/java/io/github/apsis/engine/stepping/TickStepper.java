@@ -23,37 +23,47 @@ public final class TickStepper {
     public TickStepper(Integrator integrator, Forces forces, OptionalDouble restitution, Boundary boundary, double dt) {
         this.integrator = integrator;
         this.forces = forces;
-        if (restitution.isPresent() || boundary instanceof Boundary.Walls) {
-            contacts = new ContactSolver(restitution, boundary);
-            path = integrator instanceof PathIntegrator p ? p : new Chord(integrator);
-        } else {
-            contacts = null;
-            path = null;
-        }
+        this.contacts = restitution.isPresent() || boundary instanceof Boundary.Walls
+                ? new ContactSolver(restitution, boundary)
+                : null;
+        this.path = pathOf(integrator, contacts != null || boundary instanceof Boundary.Periodic);
         this.period = boundary instanceof Boundary.Periodic p ? new Period(p.box()) : null;
         this.dt = dt;
     }
 
-    public void step(Bodies bodies) {
-        if (contacts != null && path != null) {
-            stepWithContacts(bodies, contacts, path);
-            return;
+    /** Null where nobody looks along the path and the integrator does not draw one. */
+    private static @Nullable PathIntegrator pathOf(Integrator integrator, boolean needed) {
+        if (integrator instanceof PathIntegrator path) {
+            return path;
         }
-        integrator.advance(bodies, forces, dt);
-        if (period != null) {
-            wrap(bodies, period);
+        return needed ? new Chord(integrator) : null;
+    }
+
+    public void step(Bodies bodies) {
+        if (path == null) {
+            integrator.advance(bodies, forces, dt);
+            bodies.keepFinite();
+        } else {
+            stepAlong(path, bodies);
         }
     }
 
-    private void stepWithContacts(Bodies bodies, ContactSolver solver, PathIntegrator paths) {
-        solver.begin(bodies, dt);
-        paths.move(bodies, forces, dt);
-        solver.resolve(bodies);
+    private void stepAlong(PathIntegrator drawn, Bodies bodies) {
+        if (contacts != null) {
+            contacts.begin(bodies, dt);
+        }
+        drawn.move(bodies, forces, dt);
+        bodies.keepFinite();
+        if (contacts != null) {
+            contacts.resolve(bodies);
+        }
         if (period != null) {
             wrap(bodies, period);
         }
-        paths.finish(bodies, forces, dt);
-        solver.settle(bodies);
+        drawn.finish(bodies, forces, dt);
+        if (contacts != null) {
+            contacts.settle(bodies);
+        }
     }
 
     private static void wrap(Bodies bodies, Period period) {

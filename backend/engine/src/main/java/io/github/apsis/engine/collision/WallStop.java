@@ -1,0 +1,45 @@
+package io.github.apsis.engine.collision;
+
+import io.github.apsis.engine.body.Bodies;
+
+/**
+ * The last word of a wall: no centre ends a tick beyond it. Contacts keep rims inside at any speed that a tick can resolve; where
+ * they have given up, after 128 impacts of one body in a tick, the body is put at the wall and loses its speed towards it. What
+ * that takes is booked.
+ */
+final class WallStop {
+    private final WallSet walls;
+
+    WallStop(WallSet walls) {
+        this.walls = walls;
+    }
+
+    void stop(Bodies bodies, double dt) {
+        for (int i = 0; i < bodies.count(); i++) {
+            if (walls.contains(bodies, i) || bodies.isFixed(i)) {
+                continue;
+            }
+            for (int wall = WallSet.LEFT; wall >= WallSet.TOP; wall--) {
+                double gap = walls.gap(wall, bodies.x(i), bodies.y(i), bodies.radius(i));
+                if (gap < -bodies.radius(i)) {
+                    stop(bodies, i, wall, gap, 0.5 * dt);
+                }
+            }
+        }
+    }
+
+    private static void stop(Bodies bodies, int i, int wall, double gap, double untilEnd) {
+        double nx = WallSet.normalX(wall);
+        double ny = WallSet.normalY(wall);
+        double m = bodies.mass(i);
+        double an = bodies.ax(i) * nx + bodies.ay(i) * ny;
+        bodies.ledger().bookEnergy(m * gap * an); // moved by −gap against the forces
+        bodies.shift(i, -gap * nx, -gap * ny);
+        double vn = bodies.vx(i) * nx + bodies.vy(i) * ny;
+        if (vn < 0) {
+            bodies.ledger().bookEnergy(-m * vn * (0.5 * vn + untilEnd * an));
+            bodies.ledger().bookMomentum(-m * vn * nx, -m * vn * ny);
+            bodies.push(i, -vn * nx, -vn * ny);
+        }
+    }
+}
