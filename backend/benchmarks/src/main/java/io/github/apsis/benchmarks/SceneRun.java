@@ -3,6 +3,7 @@ package io.github.apsis.benchmarks;
 import com.sun.management.ThreadMXBean;
 import io.github.apsis.engine.World;
 import io.github.apsis.engine.diagnostics.Conserved;
+import io.github.apsis.engine.diagnostics.Drift;
 import io.github.apsis.scenes.Scene;
 import java.lang.management.ManagementFactory;
 import java.util.function.LongConsumer;
@@ -55,7 +56,13 @@ public final class SceneRun {
             allocated += threads.getCurrentThreadAllocatedBytes() - before;
             progress.accept(times.count());
         }
-        return new Result(world.count(), warmUpTicks, times, allocated, Drift.since(start, world), world.stateHash());
+        return new Result(
+                world.count(),
+                warmUpTicks,
+                times,
+                allocated,
+                Drift.between(start, world.conserved()),
+                world.stateHash());
     }
 
     /** As many ticks as will be measured, but no more than three seconds of them. */

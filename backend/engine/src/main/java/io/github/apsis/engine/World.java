@@ -164,9 +164,13 @@ public final class World {
         return new WorldSnapshot(tick, time(), bodies);
     }
 
-    /** The conserved quantities, measured now; costs about as much as the forces of one tick. */
+    /**
+     * The conserved quantities, measured now; costs about as much as the forces of one tick. {@code Drift.between} two of them
+     * tells what the numerics did meanwhile.
+     */
     public Conserved conserved() {
-        return Conserved.of(bodies, forces);
+        var period = spec.boundary() instanceof Boundary.Periodic p ? new Period(p.box()) : null;
+        return Conserved.of(bodies, forces, period);
     }
 
     /** The spacing of doubles as a share of what a body moves in a tick, the worst of all: see {@link Resolution}. */

@@ -33,8 +33,9 @@ public final class Bodies {
     private boolean accelerationsCurrent;
     private long revision;
     private final Ledger ledger = new Ledger();
-    private double heldX; // force of the laws on all fixed bodies together, mass · length / time²
-    private double heldY;
+    private double outsideX; // force on all free bodies from fields and from what is fixed, mass · length / time²
+    private double outsideY;
+    private double outsideMoment; // about the origin, mass · length² / time²
 
     private long[] id = new long[16];
     private BodyKind[] kind = new BodyKind[16];
@@ -413,8 +414,9 @@ public final class Bodies {
         for (int i : ships) {
             kickByThrust(i, h);
         }
-        if (heldX != 0 || heldY != 0) {
-            ledger.bookMomentum(-heldX * h, -heldY * h); // what holds the fixed bodies pushes on the world
+        if (outsideX != 0 || outsideY != 0 || outsideMoment != 0) {
+            ledger.bookMomentum(outsideX * h, outsideY * h);
+            ledger.bookAngularMomentum(outsideMoment * h);
         }
     }
 
@@ -425,7 +427,7 @@ public final class Bodies {
         double meanVx = vx[i] + 0.5 * (dvx - ax[i] * h);
         double meanVy = vy[i] + 0.5 * (dvy - ay[i] * h);
         ledger.bookEnergy(mass[i] * (dvx * meanVx + dvy * meanVy));
-        ledger.bookMomentum(mass[i] * dvx, mass[i] * dvy);
+        ledger.bookImpulse(mass[i] * dvx, mass[i] * dvy, x[i], y[i]);
         vx[i] += dvx;
         vy[i] += dvy;
     }
@@ -434,16 +436,29 @@ public final class Bodies {
     public void clearAccelerations() {
         Arrays.fill(ax, 0, count, 0);
         Arrays.fill(ay, 0, count, 0);
+        outsideX = 0;
+        outsideY = 0;
+        outsideMoment = 0;
+    }
+
+    /** Takes the accelerations so far as the work of outer fields: what they push is booked with every kick. */
+    public void noteOutsideForces() {
+        for (int i = 0; i < count; i++) {
+            addOutside(i, mass[i]);
+        }
+    }
+
+    private void addOutside(int i, double times) {
+        outsideX += times * ax[i];
+        outsideY += times * ay[i];
+        outsideMoment += times * (x[i] * ay[i] - y[i] * ax[i]);
     }
 
     /** Fixed bodies attract and are held against what attracts them: called when all laws have spoken. */
     public void completeAccelerations() {
-        heldX = 0;
-        heldY = 0;
         for (int i = 0; i < count; i++) {
             if (inverseMass[i] == 0) {
-                heldX += mass[i] * ax[i];
-                heldY += mass[i] * ay[i];
+                addOutside(i, -mass[i]); // what holds a fixed body against the others pushes on the world
                 ax[i] = 0;
                 ay[i] = 0;
             }

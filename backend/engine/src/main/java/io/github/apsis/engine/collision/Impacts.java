@@ -65,11 +65,11 @@ final class Impacts {
         bookWork(bodies, a, b, t, impulse);
         double px = impulse * contact.nx;
         double py = impulse * contact.ny;
+        bookOutside(bodies, a, b, px, py, paths.dt() - t);
         bend(bodies, a, t, -px, -py);
         if (b >= 0) {
             bend(bodies, b, t, px, py);
         }
-        bookOutside(bodies, a, b, px, py);
         predictor.predictNext(bodies, a, b);
         if (b >= 0) {
             predictor.predictNext(bodies, b, a);
@@ -104,12 +104,21 @@ final class Impacts {
                 .bookEnergy(impulse * (0.5 * impulse * contact.inverseMass - approach.closingSpeed() - byThrust));
     }
 
-    /** An impulse on a wall or on a fixed body leaves the world. */
-    static void bookOutside(Bodies bodies, int a, int b, double px, double py) {
+    /**
+     * An impulse on a wall or on a fixed body leaves the world. It acts where the free partner stood so long ago at its present
+     * velocity: from there on it has moved by what the impulse gives it.
+     */
+    static void bookOutside(Bodies bodies, int a, int b, double px, double py, double ago) {
         if (b < 0 || bodies.isFixed(b)) {
-            bodies.ledger().bookMomentum(-px, -py);
+            bookImpulse(bodies, a, -px, -py, ago);
         } else if (bodies.isFixed(a)) {
-            bodies.ledger().bookMomentum(px, py);
+            bookImpulse(bodies, b, px, py, ago);
         }
+    }
+
+    private static void bookImpulse(Bodies bodies, int i, double px, double py, double ago) {
+        double x = bodies.x(i) - ago * bodies.vx(i);
+        double y = bodies.y(i) - ago * bodies.vy(i);
+        bodies.ledger().bookImpulse(px, py, x, y);
     }
 }

@@ -175,6 +175,7 @@ final class RestingContacts {
         double py = impulse * touching.normalY(k);
         double halfTick = 0.5 * dt;
         bookWork(bodies, a, b, px, py, halfTick);
+        Impacts.bookOutside(bodies, a, b, px, py, dt);
         push(bodies, a, b, px, py);
         lift(bodies, a, -px * dt, -py * dt);
         if (b >= 0) {
@@ -204,6 +205,7 @@ final class RestingContacts {
         double px = impulse * contact.nx;
         double py = impulse * contact.ny;
         bookWork(bodies, touching.first(k), touching.second(k), px, py, 0);
+        Impacts.bookOutside(bodies, touching.first(k), touching.second(k), px, py, 0);
         push(bodies, touching.first(k), touching.second(k), px, py);
     }
 
@@ -229,7 +231,6 @@ final class RestingContacts {
             inverseMass += bodies.inverseMass(b);
         }
         bodies.ledger().bookEnergy(px * wx + py * wy + 0.5 * inverseMass * (px * px + py * py));
-        Impacts.bookOutside(bodies, a, b, px, py);
     }
 
     private static void push(Bodies bodies, int a, int b, double px, double py) {
@@ -267,6 +268,7 @@ final class RestingContacts {
 
     private void partBy(Bodies bodies, int i, double push, double nx, double ny) {
         leeway[i] = Math.max(0, leeway[i] - Math.abs(push) * bodies.inverseMass(i));
+        bodies.ledger().bookAngularMomentum(bodies.isFixed(i) ? 0 : push * (nx * bodies.vy(i) - ny * bodies.vx(i)));
         lift(bodies, i, push * nx, push * ny);
     }
 

@@ -34,11 +34,12 @@ final class WallStop {
         double m = bodies.mass(i);
         double an = bodies.ax(i) * nx + bodies.ay(i) * ny;
         bodies.ledger().bookEnergy(m * gap * an); // moved by −gap against the forces
+        bodies.ledger().bookAngularMomentum(-m * gap * (nx * bodies.vy(i) - ny * bodies.vx(i)));
         bodies.shift(i, -gap * nx, -gap * ny);
         double vn = bodies.vx(i) * nx + bodies.vy(i) * ny;
         if (vn < 0) {
             bodies.ledger().bookEnergy(-m * vn * (0.5 * vn + untilEnd * an));
-            bodies.ledger().bookMomentum(-m * vn * nx, -m * vn * ny);
+            bodies.ledger().bookImpulse(-m * vn * nx, -m * vn * ny, bodies.x(i), bodies.y(i));
             bodies.push(i, -vn * nx, -vn * ny);
         }
     }

@@ -11,6 +11,14 @@ public interface ForceLaw {
     /** Adds this law's acceleration to every body, by {@link Bodies#accelerate} and nothing else. */
     void apply(Bodies bodies);
 
+    /**
+     * Whether the law pushes from outside, as a field does, and not in equal and opposite pairs: what it gives the bodies is then
+     * booked, and no error of their momentum.
+     */
+    default boolean isOuter() {
+        return false;
+    }
+
     /** The potential energy of the present positions; empty when the law has none, or none is known. */
     default OptionalDouble potential(Bodies bodies) {
         return OptionalDouble.empty();

@@ -4,20 +4,28 @@ import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.math.CompensatedSum;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 
 /** The sum of all force laws of a world. */
 public final class Forces {
-    private final ForceLaw[] laws;
+    private final ForceLaw[] laws; // outer ones first
+    private final int outer;
 
     public Forces(List<ForceLaw> laws) {
-        this.laws = laws.toArray(ForceLaw[]::new);
+        this.laws = Stream.concat(
+                        laws.stream().filter(ForceLaw::isOuter), laws.stream().filter(law -> !law.isOuter()))
+                .toArray(ForceLaw[]::new);
+        this.outer = (int) laws.stream().filter(ForceLaw::isOuter).count();
     }
 
     /** Makes every acceleration belong to the present positions. */
     public void evaluate(Bodies bodies) {
         bodies.clearAccelerations();
-        for (ForceLaw law : laws) {
-            law.apply(bodies);
+        for (int k = 0; k < laws.length; k++) {
+            laws[k].apply(bodies);
+            if (k + 1 == outer) {
+                bodies.noteOutsideForces();
+            }
         }
         bodies.completeAccelerations();
     }

@@ -35,6 +35,11 @@ public final class UniformField implements ForceLaw {
     }
 
     @Override
+    public boolean isOuter() {
+        return true;
+    }
+
+    @Override
     public OptionalDouble potential(Bodies bodies) {
         var sum = new CompensatedSum();
         for (int i = 0; i < bodies.count(); i++) {
