@@ -1,6 +1,6 @@
 import { type KeyboardEvent, type Ref, useState, useSyncExternalStore } from 'react';
 import type { Link } from '../connection/link';
-import { Figures } from '../features/Diagnostics/Figures';
+import { FigureTable } from '../features/Diagnostics/FigureTable';
 import { InfoSection } from '../features/InfoSection/InfoSection';
 import { Inspector } from '../features/InfoSection/Inspector';
 import { formatCount } from '../ui/formatNumber';
@@ -80,7 +80,7 @@ export function Sheet({ client, link, findRef }: SheetProps) {
             findRef={findRef}
           />
         )}
-        {tab === 'diagnostics' && <Figures world={world} link={link.state === 'live' ? link : null} />}
+        {tab === 'diagnostics' && <FigureTable world={world} link={link.state === 'live' ? link : null} />}
       </div>
     </aside>
   );

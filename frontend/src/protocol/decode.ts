@@ -32,10 +32,19 @@ export function decodeDiagnostics(text: string): Diagnostics {
     droppedTicks: readNumber(from, 'droppedTicks'),
     bodies: readNumber(from, 'bodies'),
     clients: readNumber(from, 'clients'),
+    kinetic: readNullable(from, 'kinetic', readNumber),
+    potential: readNullable(from, 'potential', readNumber),
     energy: readNullable(from, 'energy', readNumber),
     energyDrift: readNullable(from, 'energyDrift', readNumber),
     momentum: readNullable(from, 'momentum', readVec2),
     momentumDrift: readNullable(from, 'momentumDrift', readNumber),
+    angularMomentum: readNullable(from, 'angularMomentum', readNumber),
+    angularMomentumDrift: readNullable(from, 'angularMomentumDrift', readNumber),
+    centreOfMassX: readNullable(from, 'centreOfMassX', readNumber),
+    centreOfMassY: readNullable(from, 'centreOfMassY', readNumber),
+    virialRatio: readNullable(from, 'virialRatio', readNumber),
+    gravitySolver: readNullable(from, 'gravitySolver', readString),
+    forceError: readNullable(from, 'forceError', readNumber),
   };
 }
 

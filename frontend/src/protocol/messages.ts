@@ -35,11 +35,24 @@ export type Diagnostics = {
   readonly droppedTicks: number;
   readonly bodies: number;
   readonly clients: number;
-  /** The last four are null where the scene does not ask for them. */
+  /** From here to the virial ratio: null where the scene does not ask for it, or where it has no meaning. */
+  readonly kinetic: number | null;
+  readonly potential: number | null;
   readonly energy: number | null;
   readonly energyDrift: number | null;
   readonly momentum: Vec2 | null;
   readonly momentumDrift: number | null;
+  /** About the origin. */
+  readonly angularMomentum: number | null;
+  readonly angularMomentumDrift: number | null;
+  readonly centreOfMassX: number | null;
+  readonly centreOfMassY: number | null;
+  /** 2 · kinetic / |potential|. */
+  readonly virialRatio: number | null;
+  /** What sums the attraction up: "direct", or "none". */
+  readonly gravitySolver: string | null;
+  /** Of the gravity solver, relative; null where it is exact. */
+  readonly forceError: number | null;
 };
 
 /** What became of an accepted command. */

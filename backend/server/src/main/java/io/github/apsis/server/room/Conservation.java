@@ -1,14 +1,10 @@
 package io.github.apsis.server.room;
 
-import io.github.apsis.engine.math.Vec2;
-import java.util.OptionalDouble;
+import io.github.apsis.engine.diagnostics.Conserved;
+import io.github.apsis.engine.diagnostics.Drift;
 
 /**
- * Energy and momentum of a world, and what they did beyond the work of engines, contacts and walls since the bodies
- * were last changed.
- *
- * @param energy kinetic + potential; empty when a force has no potential
- * @param energyDrift relative to kinetic energy + |potential energy|
- * @param momentumDrift relative to Σ|m·v|
+ * What a world keeps, and what that did beyond the work of engines, contacts and walls since the bodies were last
+ * changed.
  */
-public record Conservation(OptionalDouble energy, OptionalDouble energyDrift, Vec2 momentum, double momentumDrift) {}
+public record Conservation(Conserved now, Drift drift) {}

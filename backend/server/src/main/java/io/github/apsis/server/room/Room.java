@@ -2,6 +2,7 @@ package io.github.apsis.server.room;
 
 import io.github.apsis.engine.Command;
 import io.github.apsis.engine.CommandResult;
+import io.github.apsis.engine.Departure;
 import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSnapshot;
 import io.github.apsis.engine.WorldSpec;
@@ -18,8 +19,10 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import lombok.extern.slf4j.Slf4j;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,6 +31,7 @@ import org.jspecify.annotations.Nullable;
  * <p>{@link #submit} and {@link #leave} may be called on any thread and return at once. Everything else belongs to the
  * tick thread, the only one that touches the world; answers are given there too, so an answer must not block.
  */
+@Slf4j
 public final class Room {
     static final int QUEUE_CAPACITY = 1024;
 
@@ -49,6 +53,7 @@ public final class Room {
     private final ConservationMeter conservation = new ConservationMeter();
     private final CommandQueue<Runnable> commands = new CommandQueue<>(QUEUE_CAPACITY);
     private @Nullable WorldSnapshot now;
+    private int departures; // of the world's, those that are done with
     private volatile int bodies;
     private volatile boolean closed;
 
@@ -87,12 +92,30 @@ public final class Room {
         commands.drain(MOST_COMMANDS_PER_TICK, Runnable::run);
         world.step();
         now = null;
+        forgetDeparted();
         bodies = world.count();
         if (isDue(spec.framesPerSecond())) {
             sink.publish(new RoomFrame(snapshot(), appearances.copy(), selections.ofAnyone()));
         }
         if (isDue(READINGS_PER_SECOND)) {
             sink.publish(readings());
+        }
+    }
+
+    /** What left of itself ends as what is removed: out of the frames, and nobody's selection. */
+    private void forgetDeparted() {
+        List<Departure> all = world.departures();
+        for (; departures < all.size(); departures++) {
+            Departure departure = all.get(departures);
+            if (departures == 0) {
+                log.warn(
+                        "room {} lost body {} at tick {}: {}; more will not be logged",
+                        spec.id(),
+                        departure.body().value(),
+                        departure.tick(),
+                        departure.reason());
+            }
+            forget(departure.body());
         }
     }
 
@@ -143,6 +166,8 @@ public final class Room {
                 world.time(),
                 pace.get(),
                 world.count(),
+                laws.gravity() > 0 ? "direct" : "none",
+                OptionalDouble.empty(),
                 asked ? Optional.of(conservation.measure(world)) : Optional.empty());
     }
 
@@ -196,11 +221,15 @@ public final class Room {
     private Outcome remove(BodyId body) {
         CommandResult result = world.apply(new Command.RemoveBody(body));
         if (result instanceof CommandResult.Accepted) {
-            selections.forget(body);
-            appearances.forget(body);
-            bodiesChanged();
+            forget(body);
         }
         return outcome(result);
+    }
+
+    private void forget(BodyId body) {
+        selections.forget(body);
+        appearances.forget(body);
+        bodiesChanged();
     }
 
     private Outcome select(BodyId body, Runnable change) {

@@ -1,12 +1,22 @@
 package io.github.apsis.server.room;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * How a room is doing. Immutable.
  *
  * @param time simulated
+ * @param gravitySolver what sums the attraction up: {@code direct}, or {@code none} without attraction
+ * @param forceError of that solver, sampled; empty where it is exact
  * @param conservation empty where the scene does not ask for it, or the room holds too many bodies to measure it in a
  * tick
  */
-public record RoomReadings(long tick, double time, Pace pace, int bodies, Optional<Conservation> conservation) {}
+public record RoomReadings(
+        long tick,
+        double time,
+        Pace pace,
+        int bodies,
+        String gravitySolver,
+        OptionalDouble forceError,
+        Optional<Conservation> conservation) {}

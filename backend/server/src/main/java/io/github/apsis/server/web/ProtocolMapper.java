@@ -2,6 +2,8 @@ package io.github.apsis.server.web;
 
 import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.collision.Boundary;
+import io.github.apsis.engine.diagnostics.Conserved;
+import io.github.apsis.engine.diagnostics.Drift;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Vec2;
 import io.github.apsis.protocol.ClientMessage;
@@ -19,6 +21,7 @@ import io.github.apsis.server.room.Pace;
 import io.github.apsis.server.room.Request;
 import io.github.apsis.server.room.RoomReadings;
 import io.github.apsis.server.room.RoomSpec;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 
@@ -51,7 +54,9 @@ final class ProtocolMapper {
     }
 
     static Diagnostics toDiagnostics(RoomReadings readings, int clients) {
-        Conservation conservation = readings.conservation().orElse(null);
+        Optional<Conserved> now = readings.conservation().map(Conservation::now);
+        Optional<Drift> drift = readings.conservation().map(Conservation::drift);
+        Optional<Vec2> centre = now.flatMap(Conserved::centreOfMass);
         Pace pace = readings.pace();
         return new Diagnostics(
                 readings.tick(),
@@ -62,10 +67,19 @@ final class ProtocolMapper {
                 pace.droppedTicks(),
                 readings.bodies(),
                 clients,
-                conservation == null ? null : nullable(conservation.energy()),
-                conservation == null ? null : nullable(conservation.energyDrift()),
-                conservation == null ? null : toPoint(conservation.momentum()),
-                conservation == null ? null : conservation.momentumDrift());
+                nullable(now.map(Conserved::kinetic)),
+                number(now.map(Conserved::potential)),
+                number(now.map(Conserved::energy)),
+                number(drift.map(Drift::energy)),
+                toPoint(now.map(ProtocolMapper::momentum)),
+                nullable(drift.map(Drift::momentum)),
+                nullable(now.map(Conserved::angularMomentum)),
+                number(drift.map(Drift::angularMomentum)),
+                nullable(centre.map(Vec2::x)),
+                nullable(centre.map(Vec2::y)),
+                number(now.map(Conserved::virialRatio)),
+                readings.gravitySolver(),
+                number(Optional.of(readings.forceError())));
     }
 
     static RoomInfo toRoomInfo(RoomSpec room) {
@@ -98,7 +112,22 @@ final class ProtocolMapper {
         return new Point(point.x(), point.y());
     }
 
-    private static @Nullable Double nullable(OptionalDouble value) {
-        return value.isPresent() ? value.getAsDouble() : null;
+    private static Vec2 momentum(Conserved now) {
+        return new Vec2(now.momentumX(), now.momentumY());
+    }
+
+    /** JSON has no infinity: what left the numbers was not measured. */
+    private static @Nullable Double nullable(Optional<Double> value) {
+        return value.filter(Double::isFinite).orElse(null);
+    }
+
+    private static @Nullable Double number(Optional<OptionalDouble> value) {
+        return nullable(value.filter(OptionalDouble::isPresent).map(OptionalDouble::getAsDouble));
+    }
+
+    private static @Nullable Point toPoint(Optional<Vec2> vector) {
+        return vector.filter(v -> Double.isFinite(v.x()) && Double.isFinite(v.y()))
+                .map(ProtocolMapper::toPoint)
+                .orElse(null);
     }
 }

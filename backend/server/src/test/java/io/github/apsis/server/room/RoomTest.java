@@ -227,9 +227,28 @@ class RoomTest {
 
         Conservation last =
                 sink.readings.get(sink.readings.size() - 1).conservation().orElseThrow();
-        assertThat(last.energyDrift().orElseThrow()).isCloseTo(0, within(1e-12));
-        assertThat(last.momentumDrift()).isCloseTo(0, within(1e-12));
-        assertThat(last.energy().orElseThrow()).isCloseTo(0.5 * 3 * 65, within(1e-9)); // m·v²/2
+        assertThat(last.drift().energy().orElseThrow()).isCloseTo(0, within(1e-12));
+        assertThat(last.drift().momentum()).isCloseTo(0, within(1e-12));
+        assertThat(last.drift().angularMomentum().orElseThrow()).isCloseTo(0, within(1e-12));
+        assertThat(last.now().energy().orElseThrow()).isCloseTo(0.5 * 3 * 65, within(1e-9)); // m·v²/2
+    }
+
+    @Test
+    void a_body_that_left_the_world_of_itself_is_nobody_s_selection_and_no_drift() {
+        Room wild =
+                room(new TestScene(BodyDef.asteroid(0, 0, 3, 5).moving(1e151, 0), BodyDef.asteroid(0, 50, 3, 5)), 10);
+        wild.submit(ANN, new Select(new BodyId(1)), outcomes::add);
+
+        for (int i = 0; i < 2 * TickLoop.TICKS_PER_SECOND; i++) {
+            wild.tick();
+        }
+
+        assertThat(sink.last().world().count()).isEqualTo(1);
+        assertThat(sink.last().selected()).isEmpty();
+        assertThat(wild.bodies()).isEqualTo(1);
+        RoomReadings last = sink.readings.get(sink.readings.size() - 1);
+        assertThat(last.conservation().orElseThrow().drift().momentum()).isZero();
+        assertThat(last.gravitySolver()).isEqualTo("none");
     }
 
     @Test

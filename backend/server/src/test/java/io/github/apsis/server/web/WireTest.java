@@ -2,7 +2,6 @@ package io.github.apsis.server.web;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.apsis.engine.WorldSpec;
 import io.github.apsis.protocol.BodyState;
 import io.github.apsis.protocol.Diagnostics;
 import io.github.apsis.protocol.Kind;
@@ -120,7 +119,7 @@ class WireTest {
             assertThat(second.tick()).isGreaterThan(first.tick());
             assertThat(second.tick() % 5).isZero(); // 30 of 150
             assertThat(Double.parseDouble(second.headers().getFirst("time")))
-                    .isEqualTo(second.tick() * WorldSpec.DEFAULT_DT);
+                    .isEqualTo(second.tick() / 150.0);
             assertThat(Long.parseLong(second.headers().getFirst("sent")))
                     .isBetween(System.currentTimeMillis() - 5000, System.currentTimeMillis());
             assertThat(second.headers().getContentType()).hasToString("application/json");
@@ -157,11 +156,19 @@ class WireTest {
 
             assertThat(diagnostics.bodies()).isEqualTo(client.bodies().size());
             assertThat(diagnostics.clients()).isPositive();
-            assertThat(diagnostics.time()).isEqualTo(diagnostics.tick() * WorldSpec.DEFAULT_DT);
+            assertThat(diagnostics.time()).isEqualTo(diagnostics.tick() / 150.0);
             assertThat(diagnostics.tickMillis().p50()).isPositive();
             assertThat(diagnostics.energy()).isNotNull().isFinite();
             assertThat(diagnostics.energyDrift()).isNotNull().isFinite();
             assertThat(diagnostics.momentum()).isNotNull();
+            assertThat(diagnostics.kinetic()).isNotNull().isPositive();
+            assertThat(diagnostics.potential()).isNotNull().isNegative();
+            assertThat(diagnostics.angularMomentum()).isNotNull();
+            assertThat(diagnostics.angularMomentumDrift()).isNotNull().isFinite();
+            assertThat(diagnostics.centreOfMassX()).isNotNull();
+            assertThat(diagnostics.virialRatio()).isNotNull().isPositive();
+            assertThat(diagnostics.gravitySolver()).isEqualTo("direct");
+            assertThat(diagnostics.forceError()).isNull(); // a direct sum has none to sample
         }
     }
 
