@@ -67,6 +67,9 @@ public final class World {
      */
     public void step() {
         if (spec.dt() > 0) {
+            if (adaptive != null && !bodies.areWithinNumbers()) {
+                letGo(); // powers of such a speed are beyond a series
+            }
             decide();
             stepper.step(bodies);
         }

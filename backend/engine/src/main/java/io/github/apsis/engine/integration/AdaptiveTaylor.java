@@ -35,11 +35,11 @@ public final class AdaptiveTaylor implements Integrator {
     private final double mostBend;
 
     private long revision = -1;
+    private double unit = 1; // of time for the next expansion
     private double step;
     private double elapsed; // from the moment of the series to the present
     private double elapsedLow;
-    private double heldX; // impulse on fixed bodies that has been booked of this step
-    private double heldY;
+    private double booked; // until when, from the moment of the series
     private double[] startX = new double[0];
     private double[] startY = new double[0];
 
@@ -67,6 +67,7 @@ public final class AdaptiveTaylor implements Integrator {
     public void advance(Bodies bodies, Forces forces, double dt) {
         boolean ships = bodies.ships().length > 0;
         if (bodies.revision() != revision || ships) {
+            unit = revision < 0 ? inRange(series.shortestTime(bodies), dt) : unit;
             elapsed = 0;
             elapsedLow = 0;
             begin(bodies, dt);
@@ -79,7 +80,7 @@ public final class AdaptiveTaylor implements Integrator {
         int steps = 0;
         while (target > step) {
             series.place(bodies, step);
-            bookHeld(bodies, step);
+            bookOutside(bodies, step);
             if (steps++ == MOST_STEPS) {
                 lostTime += target - step;
                 target = 0;
@@ -93,42 +94,47 @@ public final class AdaptiveTaylor implements Integrator {
             begin(bodies, dt);
         }
         series.place(bodies, target + targetLow);
-        bookHeld(bodies, target);
+        bookOutside(bodies, target);
         elapsed = target;
         elapsedLow = targetLow;
         if (ships) {
-            bookThrust(bodies, dt);
+            bookThrust(bodies);
         }
         revision = bodies.revision();
     }
 
     /** Starts a step at the present state. */
     private void begin(Bodies bodies, double dt) {
-        double length = reach(bodies);
+        double length = reach(bodies, dt);
         if (length < BOUNCE_STEP * dt && series.bounceClosest(bodies)) {
             bounces++;
-            length = reach(bodies);
+            length = reach(bodies, dt);
         }
-        length = Math.min(Math.max(length, 1e-3 * BOUNCE_STEP * dt), LONGEST_STEP * dt);
+        length = inRange(length, dt);
         float round = (float) length; // few bits, so that the products with it and the sums of it are nearly exact
         step = round > 0 ? round : length;
-        heldX = 0;
-        heldY = 0;
+        booked = 0;
     }
 
-    private double reach(Bodies bodies) {
-        series.expand(bodies);
-        return series.reach(share, mostBend);
-    }
-
-    private void bookHeld(Bodies bodies, double t) {
-        double x = series.heldImpulseX(t);
-        double y = series.heldImpulseY(t);
-        if (x != heldX || y != heldY) {
-            bodies.ledger().bookMomentum(heldX - x, heldY - y);
-            heldX = x;
-            heldY = y;
+    private double reach(Bodies bodies, double dt) {
+        series.expand(bodies, unit);
+        double length = series.reach(share, mostBend);
+        if (!(length > 1e-6 * unit)) { // the unit was so wrong that the coefficients may have left the numbers
+            unit = inRange(series.shortestTime(bodies), dt);
+            series.expand(bodies, unit);
+            length = series.reach(share, mostBend);
         }
+        unit = inRange(length, dt);
+        return length;
+    }
+
+    private static double inRange(double time, double dt) {
+        return Math.max(1e-150, Math.min(time, LONGEST_STEP * dt));
+    }
+
+    private void bookOutside(Bodies bodies, double t) {
+        series.bookOutside(bodies.ledger(), booked, t);
+        booked = t;
     }
 
     private double[] room(double[] column, Bodies bodies) {
@@ -140,13 +146,12 @@ public final class AdaptiveTaylor implements Integrator {
         return startX;
     }
 
-    private void bookThrust(Bodies bodies, double dt) {
+    private void bookThrust(Bodies bodies) {
         for (int i : bodies.ships()) {
             if (!bodies.isFixed(i)) {
                 double fx = bodies.thrustX(i);
                 double fy = bodies.thrustY(i);
                 bodies.ledger().bookEnergy(fx * (bodies.x(i) - startX[i]) + fy * (bodies.y(i) - startY[i]));
-                bodies.ledger().bookMomentum(fx * dt, fy * dt);
             }
         }
     }

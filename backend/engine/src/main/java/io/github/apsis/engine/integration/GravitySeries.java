@@ -1,6 +1,7 @@
 package io.github.apsis.engine.integration;
 
 import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.body.Ledger;
 import java.util.Arrays;
 
 /**
@@ -28,6 +29,7 @@ final class GravitySeries {
     private final int order;
     private final int stride;
 
+    private double unit = 1; // of time, in which the coefficients are: a power of two
     private int count;
 
     // Of bodies: coefficient k of body i at i · stride + k.
@@ -36,8 +38,11 @@ final class GravitySeries {
     private double[] mass = new double[0];
     private boolean[] free = new boolean[0];
     private double[] low = new double[0]; // low parts of x, y, vx, vy and of the second coefficients of x and y
+    private double[] force = new double[0]; // of field and thrust on each body, x and y
+    private boolean outside; // whether anything from outside acts: a field, a thrust, what holds a fixed body
     private final double[] heldX; // coefficients of the force of gravity on all fixed bodies together
     private final double[] heldY;
+    private final double[] heldMoment; // and of its moment about the origin
     private double[] sum = new double[0]; // of the pulls on each body: x, y, and their low parts
 
     // Of pairs: coefficient k of pair p at p · stride + k.
@@ -56,14 +61,21 @@ final class GravitySeries {
         this.stride = order + 1;
         this.heldX = new double[order - 1];
         this.heldY = new double[order - 1];
+        this.heldMoment = new double[order - 1];
     }
 
     int order() {
         return order;
     }
 
-    /** Computes all coefficients about the present state. */
-    void expand(Bodies bodies) {
+    /**
+     * Computes all coefficients about the present state.
+     *
+     * @param timeUnit of the coefficients, near the step that is to come: in others they leave the range of doubles when a pair
+     *     is very close or a body very fast
+     */
+    void expand(Bodies bodies, double timeUnit) {
+        unit = Math.scalb(1.0, Math.getExponent(timeUnit));
         begin(bodies);
         lead(bodies);
         for (int k = 1; k <= order - 2; k++) {
@@ -73,8 +85,10 @@ final class GravitySeries {
 
     private void begin(Bodies bodies) {
         count = bodies.count();
+        outside = fieldX != 0 || fieldY != 0;
         Arrays.fill(heldX, 0);
         Arrays.fill(heldY, 0);
+        Arrays.fill(heldMoment, 0);
         if (count * stride > x.length) {
             grow(count);
         }
@@ -82,14 +96,17 @@ final class GravitySeries {
             int at = i * stride;
             x[at] = bodies.x(i);
             y[at] = bodies.y(i);
-            x[at + 1] = bodies.vx(i);
-            y[at + 1] = bodies.vy(i);
+            x[at + 1] = bodies.vx(i) * unit;
+            y[at + 1] = bodies.vy(i) * unit;
             low[6 * i] = bodies.xLow(i);
             low[6 * i + 1] = bodies.yLow(i);
-            low[6 * i + 2] = bodies.vxLow(i);
-            low[6 * i + 3] = bodies.vyLow(i);
+            low[6 * i + 2] = bodies.vxLow(i) * unit;
+            low[6 * i + 3] = bodies.vyLow(i) * unit;
             mass[i] = bodies.mass(i);
             free[i] = !bodies.isFixed(i);
+            force[2 * i] = free[i] ? mass[i] * fieldX + bodies.thrustX(i) : 0;
+            force[2 * i + 1] = free[i] ? mass[i] * fieldY + bodies.thrustY(i) : 0;
+            outside |= !free[i] || force[2 * i] != 0 || force[2 * i + 1] != 0;
         }
     }
 
@@ -100,12 +117,29 @@ final class GravitySeries {
         mass = new double[bodies];
         free = new boolean[bodies];
         low = new double[6 * bodies];
+        force = new double[2 * bodies];
         sum = new double[4 * bodies];
         dx = new double[pairs * stride];
         dy = new double[pairs * stride];
         s = new double[pairs * stride];
         w = new double[pairs * stride];
         inverse = new double[pairs];
+    }
+
+    /** The shortest time in which a pair meets or turns: a unit for the first expansion. */
+    double shortestTime(Bodies bodies) {
+        double shortest = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < bodies.count(); i++) {
+            for (int j = i + 1; j < bodies.count(); j++) {
+                double d = Math.hypot(bodies.x(j) - bodies.x(i), bodies.y(j) - bodies.y(i));
+                double speed = Math.hypot(bodies.vx(j) - bodies.vx(i), bodies.vy(j) - bodies.vy(i));
+                double pull = g * (bodies.mass(i) + bodies.mass(j));
+                if (d > 0) {
+                    shortest = Math.min(shortest, Math.min(d / speed, d * Math.sqrt(d / pull)));
+                }
+            }
+        }
+        return shortest;
     }
 
     // --- the leading coefficient, in pairs of doubles ---
@@ -119,9 +153,11 @@ final class GravitySeries {
             }
         }
         for (int i = 0; i < count; i++) {
-            double ax = sum[4 * i] + (fieldX + bodies.thrustX(i) * bodies.inverseMass(i));
-            double ay = sum[4 * i + 1] + (fieldY + bodies.thrustY(i) * bodies.inverseMass(i));
-            setCoefficients(i, 0, 2, ax, ay);
+            setCoefficients(i, 0, 2, sum[4 * i], sum[4 * i + 1]);
+            if (free[i]) {
+                x[i * stride + 2] += 0.5 * (fieldX + bodies.thrustX(i) * bodies.inverseMass(i)) * unit * unit;
+                y[i * stride + 2] += 0.5 * (fieldY + bodies.thrustY(i) * bodies.inverseMass(i)) * unit * unit;
+            }
             low[6 * i + 4] = free[i] ? 0.5 * sum[4 * i + 2] : 0;
             low[6 * i + 5] = free[i] ? 0.5 * sum[4 * i + 3] : 0;
         }
@@ -152,8 +188,8 @@ final class GravitySeries {
                 + (Math.fma(ddx, ddx, -xx) + Math.fma(ddy, ddy, -yy));
         double rootLow = (Math.fma(-root, root, d2) + d2Low) / (2 * root);
         double d3Low = Math.fma(d2, root, -d3) + d2 * rootLow + d2Low * root;
-        double pull = g / d3;
-        pull += (Math.fma(-pull, d3, g) - pull * d3Low) / d3;
+        double pull = g * (unit * unit) / d3;
+        pull += (Math.fma(-pull, d3, g * (unit * unit)) - pull * d3Low) / d3;
         w[at] = pull;
         inverse[pair] = 1 / d2;
         double fx = ddx * pull;
@@ -210,24 +246,8 @@ final class GravitySeries {
         if (!free[i]) {
             heldX[k] += mass[i] * ax;
             heldY[k] += mass[i] * ay;
+            heldMoment[k] += mass[i] * (x[i * stride] * ay - y[i * stride] * ax);
         }
-    }
-
-    /** The impulse that has held the fixed bodies for a time t after the moment of the expansion. */
-    double heldImpulseX(double t) {
-        return integral(heldX, t);
-    }
-
-    double heldImpulseY(double t) {
-        return integral(heldY, t);
-    }
-
-    private static double integral(double[] coefficients, double t) {
-        double sum = 0;
-        for (int k = coefficients.length - 1; k >= 0; k--) {
-            sum = sum * t + coefficients[k] / (k + 1);
-        }
-        return sum * t;
     }
 
     private void extendPair(int i, int j, int pair, int k, double ddx, double ddy) {
@@ -290,13 +310,13 @@ final class GravitySeries {
                 last = Math.max(last, separation(i, j, order) * inverseDistance);
                 lastButOne = Math.max(lastButOne, separation(i, j, order - 1) * inverseDistance);
                 bend = Math.max(bend, separation(i, j, 2) * inverseDistance);
-                pull = Math.max(
-                        pull, inverse[pair] == 0 ? 0 : Math.abs(w[pair * stride + order - 2] / w[pair * stride]));
+                double now = w[pair * stride];
+                pull = Math.max(pull, now == 0 ? 0 : Math.abs(w[pair * stride + order - 2] / now));
             }
         }
         double accurate = Math.min(root(error / last, order), root(error / lastButOne, order - 1));
         double smooth = Math.min(0.5 * root(1 / pull, order - 2), root(mostBend / bend, 2));
-        return Math.min(accurate, smooth);
+        return Math.min(accurate, smooth) * unit;
     }
 
     /** Coefficient k of a separation, in the sum norm: its square would overflow in a close encounter. */
@@ -318,6 +338,41 @@ final class GravitySeries {
         double whole = Math.floor(log);
         double part = log - whole;
         return Math.scalb(1 + part * (0.6565 + 0.3435 * part), (int) whole);
+    }
+
+    // --- what comes from outside ---
+
+    /** Books the impulses of fields, of thrust and of what holds fixed bodies, and their moments, between two times. */
+    void bookOutside(Ledger ledger, double from, double to) {
+        if (!outside) {
+            return;
+        }
+        double t0 = from / unit;
+        double t1 = to / unit;
+        double px = -(integral(heldX, 0, order - 1, t1) - integral(heldX, 0, order - 1, t0)) / unit;
+        double py = -(integral(heldY, 0, order - 1, t1) - integral(heldY, 0, order - 1, t0)) / unit;
+        double moment = -(integral(heldMoment, 0, order - 1, t1) - integral(heldMoment, 0, order - 1, t0)) / unit;
+        for (int i = 0; i < count; i++) {
+            double fx = force[2 * i];
+            double fy = force[2 * i + 1];
+            if (fx != 0 || fy != 0) {
+                px += fx * (to - from);
+                py += fy * (to - from);
+                double pathX = integral(x, i * stride, stride, t1) - integral(x, i * stride, stride, t0);
+                double pathY = integral(y, i * stride, stride, t1) - integral(y, i * stride, stride, t0);
+                moment += (pathX * fy - pathY * fx) * unit;
+            }
+        }
+        ledger.bookMomentum(px, py);
+        ledger.bookAngularMomentum(moment);
+    }
+
+    private static double integral(double[] coefficients, int at, int terms, double t) {
+        double integral = 0;
+        for (int k = terms - 1; k >= 0; k--) {
+            integral = integral * t + coefficients[at + k] / (k + 1);
+        }
+        return integral * t;
     }
 
     /**
@@ -347,9 +402,13 @@ final class GravitySeries {
     private boolean bounce(Bodies bodies, int i, int j) {
         double nx = x[j * stride] - x[i * stride] + (low[6 * j] - low[6 * i]);
         double ny = y[j * stride] - y[i * stride] + (low[6 * j + 1] - low[6 * i + 1]);
-        double closing = -(nx * (bodies.vx(j) - bodies.vx(i)) + ny * (bodies.vy(j) - bodies.vy(i)));
+        double wx = bodies.vx(j) - bodies.vx(i);
+        double wy = bodies.vy(j) - bodies.vy(i);
+        double closing = -(nx * wx + ny * wy);
         double inverseMasses = bodies.inverseMass(i) + bodies.inverseMass(j);
-        if (!(closing > 0 && inverseMasses > 0)) {
+        // What merely flies past is faster than a fall from afar would make it.
+        boolean falls = (wx * wx + wy * wy) * Math.hypot(nx, ny) < 4 * g * (mass[i] + mass[j]);
+        if (!(closing > 0 && inverseMasses > 0 && falls)) {
             return false;
         }
         double impulse = 2 * closing / (inverseMasses * (nx * nx + ny * ny));
@@ -364,7 +423,7 @@ final class GravitySeries {
     void place(Bodies bodies, double t) {
         for (int i = 0; i < count; i++) {
             if (free[i]) {
-                place(bodies, i, t);
+                place(bodies, i, t / unit);
             }
         }
     }
@@ -392,7 +451,7 @@ final class GravitySeries {
         bodies.place(i, placeX.high, placeX.low, placeY.high, placeY.low);
         placeX.set(x[at + 1], t, 2 * x[at + 2], 0, 0, lowVx);
         placeY.set(y[at + 1], t, 2 * y[at + 2], 0, 0, lowVy);
-        bodies.setVelocity(i, placeX.high, placeX.low, placeY.high, placeY.low);
+        bodies.setVelocity(i, placeX.high / unit, placeX.low / unit, placeY.high / unit, placeY.low / unit);
     }
 
     private final TwoDoubles placeX = new TwoDoubles();

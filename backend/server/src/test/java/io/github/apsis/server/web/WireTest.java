@@ -118,8 +118,7 @@ class WireTest {
 
             assertThat(second.tick()).isGreaterThan(first.tick());
             assertThat(second.tick() % 5).isZero(); // 30 of 150
-            assertThat(Double.parseDouble(second.headers().getFirst("time")))
-                    .isEqualTo(second.tick() / 150.0);
+            assertThat(Double.parseDouble(second.headers().getFirst("time"))).isEqualTo(second.tick() / 150.0);
             assertThat(Long.parseLong(second.headers().getFirst("sent")))
                     .isBetween(System.currentTimeMillis() - 5000, System.currentTimeMillis());
             assertThat(second.headers().getContentType()).hasToString("application/json");
