@@ -48,6 +48,16 @@ for (const size of SIZES) {
       await check(page, 'empty');
     });
 
+    test('nothing_is_wrong_in_the_table_of_all_figures', async ({ page }) => {
+      await openLive(page, live.url);
+      const opener =
+        size.width > 700 ? page.getByRole('button', { name: 'All figures' }) : page.getByRole('tab').last();
+      await opener.focus();
+      await page.keyboard.press('Enter');
+      await expect(page.getByText('Angular momentum', { exact: true })).toBeVisible();
+      await check(page, 'figures');
+    });
+
     test('nothing_is_wrong_in_the_dialog', async ({ page }) => {
       await openLive(page, live.url);
       await page.getByRole('button', { name: 'Keyboard shortcuts' }).click();

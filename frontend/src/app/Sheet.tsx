@@ -67,7 +67,15 @@ export function Sheet({ client, link, findRef }: SheetProps) {
           </button>
         ))}
       </div>
-      <div id="sheet-panel" role="tabpanel" aria-labelledby={`tab-${tab}`} className={styles.panel} hidden={!isOpen}>
+      <div
+        id="sheet-panel"
+        role="tabpanel"
+        aria-labelledby={`tab-${tab}`}
+        // Nothing in the figures takes the focus, and keys must scroll them.
+        tabIndex={tab === 'diagnostics' ? 0 : undefined}
+        className={styles.panel}
+        hidden={!isOpen}
+      >
         {tab === 'selected' && (
           <Inspector world={world} isOffline={isOffline} onDelete={() => client.deleteSelected()} />
         )}

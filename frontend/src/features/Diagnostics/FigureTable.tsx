@@ -13,7 +13,7 @@ export function FigureTable({ world, link }: FigureTableProps) {
     <div className={styles.groups} data-stale={link === null}>
       {figureGroups(newest, link, drawnHz).map(({ title, figures }) => (
         <div key={title} className={styles.group}>
-          <h3 className={styles.title}>{title}</h3>
+          <h2 className={styles.title}>{title}</h2>
           <dl>
             {figures.map(([label, value]) => (
               <div key={label} className={styles.row}>
