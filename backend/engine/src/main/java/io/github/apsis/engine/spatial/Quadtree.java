@@ -8,13 +8,18 @@ import java.util.Arrays;
  *
  * <p>Items are sorted along the Z-order curve of their centres (Morton 1966) by a radix sort; a node is a run of that order,
  * with the tight box around its items, so items of any size find their place. Nodes stand in preorder with a link past their
- * subtree: a query is one loop without a stack. Linear to build, and nothing is allocated once warm.
+ * subtree: a query is one loop without a stack, and the children of {@code node} are {@code node + 1}, {@code past(node + 1)}
+ * and so on, as long as they are below {@code past(node)}. Linear to build, and nothing is allocated once warm.
+ *
+ * <p>A key has 16 levels. A run that is still too long there, such as a cluster seen from a body that has flown off, gets
+ * keys anew within its own box; so depth follows the digits of a double and no outlier turns a query into a look at all.
  */
 public final class Quadtree {
-    private static final int LEAF_SIZE = 8;
+    private static final int DEFAULT_LEAF_SIZE = 8;
     private static final int LEVELS = 16; // two bits of the 32-bit Z-order key each
     private static final double KEY_SCALE = 65535;
 
+    private final int leafSize;
     private int count;
     private double[] minX = new double[16];
     private double[] minY = new double[16];
@@ -31,10 +36,20 @@ public final class Quadtree {
     private double[] nodeMaxX = new double[16];
     private double[] nodeMaxY = new double[16];
     private int[] past = new int[16]; // the node behind the subtree
-    private int[] from = new int[16]; // first item of a leaf, −1 for an inner node
-    private int[] to = new int[16];
+    private int[] first = new int[16]; // the run of items of the node
+    private int[] end = new int[16];
+    private int[] leafEnd = new int[16]; // end for a leaf, first for an inner node: what a query must look at itself
 
     private int[] found = new int[16];
+
+    public Quadtree() {
+        this(DEFAULT_LEAF_SIZE);
+    }
+
+    /** A tree whose nodes are divided as long as they hold more items than this. */
+    public Quadtree(int leafSize) {
+        this.leafSize = leafSize;
+    }
 
     /** Forgets everything and makes room for this many items. */
     public void begin(int items) {
@@ -61,20 +76,24 @@ public final class Quadtree {
 
     /** Sorts the items and builds the nodes. */
     public void build() {
-        if (count == 0) {
-            return;
+        for (int i = 0; i < count; i++) {
+            order[i] = i;
         }
-        computeKeys();
-        sortByKey();
-        addNode(0, count, 0);
+        if (count > 0 && sort(0, count)) {
+            addNode(0, count, 0);
+        } else if (count > 0) {
+            addLeaf(0, count);
+        }
     }
 
-    private void computeKeys() {
+    /** Sorts a run along the Z-order curve within its own box; false when all its centres are one, or not to be told apart. */
+    private boolean sort(int start, int stop) {
         double lowX = Double.POSITIVE_INFINITY;
         double lowY = Double.POSITIVE_INFINITY;
         double highX = Double.NEGATIVE_INFINITY;
         double highY = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < count; i++) {
+        for (int p = start; p < stop; p++) {
+            int i = item(p);
             double x = 0.5 * minX[i] + 0.5 * maxX[i];
             double y = 0.5 * minY[i] + 0.5 * maxY[i];
             lowX = Math.min(lowX, x);
@@ -83,12 +102,18 @@ public final class Quadtree {
             highY = Math.max(highY, y);
         }
         double side = Math.max(highX - lowX, highY - lowY);
-        double scale = side > 0 ? KEY_SCALE / side : 0;
-        for (int i = 0; i < count; i++) {
+        double scale = KEY_SCALE / side;
+        if (!(scale > 0) || Double.isInfinite(scale)) {
+            return false; // side is 0, denormal, or beyond the numbers
+        }
+        for (int p = start; p < stop; p++) {
+            int i = item(p);
             int column = (int) ((0.5 * minX[i] + 0.5 * maxX[i] - lowX) * scale);
             int row = (int) ((0.5 * minY[i] + 0.5 * maxY[i] - lowY) * scale);
-            order[i] = (spread(column) | spread(row) << 1) << 32 | i;
+            order[p] = (spread(column) | spread(row) << 1) << 32 | i;
         }
+        sortByKey(start, stop);
+        return true;
     }
 
     /** Puts a zero between every two of 16 bits. */
@@ -100,18 +125,18 @@ public final class Quadtree {
         return (b | b << 1) & 0x55555555L;
     }
 
-    /** Radix sort, four passes of eight bits; stable, so equal keys stay in item order. */
-    private void sortByKey() {
+    /** Radix sort of a run, four passes of eight bits; stable, so equal keys stay in the order they had. */
+    private void sortByKey(int start, int stop) {
         for (int shift = 32; shift < 64; shift += 8) {
             Arrays.fill(histogram, 0);
-            for (int i = 0; i < count; i++) {
-                histogram[(int) (order[i] >>> shift & 0xff) + 1]++;
+            for (int p = start; p < stop; p++) {
+                histogram[(int) (order[p] >>> shift & 0xff) + 1]++;
             }
             for (int digit = 0; digit < 256; digit++) {
                 histogram[digit + 1] += histogram[digit];
             }
-            for (int i = 0; i < count; i++) {
-                spare[histogram[(int) (order[i] >>> shift & 0xff)]++] = order[i];
+            for (int p = start; p < stop; p++) {
+                spare[start + histogram[(int) (order[p] >>> shift & 0xff)]++] = order[p];
             }
             long[] sorted = spare;
             spare = order;
@@ -120,62 +145,74 @@ public final class Quadtree {
     }
 
     /** Adds the node of a run of the order, and everything below it. */
-    private void addNode(int first, int end, int level) {
-        int node = nodes++;
-        if (node == past.length) {
-            growNodes(2 * node);
-        }
+    private void addNode(int start, int stop, int level) {
         int depth = level;
-        while (end - first > LEAF_SIZE && depth < LEVELS && digit(first, depth) == digit(end - 1, depth)) {
+        while (stop - start > leafSize && depth < LEVELS && digit(start, depth) == digit(stop - 1, depth)) {
             depth++; // all in one quarter: no chain of single children
         }
-        if (end - first <= LEAF_SIZE || depth == LEVELS) {
-            from[node] = first;
-            to[node] = end;
-            boxOfItems(node, first, end);
+        if (stop - start <= leafSize) {
+            addLeaf(start, stop);
+        } else if (depth < LEVELS) {
+            addChildren(start, stop, depth);
+        } else if (sort(start, stop)) {
+            addNode(start, stop, 0);
         } else {
-            from[node] = -1;
-            addChildren(node, first, end, depth);
+            addLeaf(start, stop);
         }
-        past[node] = nodes;
     }
 
-    private void addChildren(int node, int first, int end, int depth) {
+    private void addChildren(int start, int stop, int depth) {
+        int node = openNode(start, stop);
+        leafEnd[node] = start;
         double lowX = Double.POSITIVE_INFINITY;
         double lowY = Double.POSITIVE_INFINITY;
         double highX = Double.NEGATIVE_INFINITY;
         double highY = Double.NEGATIVE_INFINITY;
-        int begin = first;
-        while (begin < end) {
-            int stop = begin + 1;
-            while (stop < end && digit(stop, depth) == digit(begin, depth)) {
-                stop++;
+        int begin = start;
+        while (begin < stop) {
+            int next = begin + 1;
+            while (next < stop && digit(next, depth) == digit(begin, depth)) {
+                next++;
             }
             int child = nodes;
-            addNode(begin, stop, depth + 1);
+            addNode(begin, next, depth + 1);
             lowX = Math.min(lowX, nodeMinX[child]);
             lowY = Math.min(lowY, nodeMinY[child]);
             highX = Math.max(highX, nodeMaxX[child]);
             highY = Math.max(highY, nodeMaxY[child]);
-            begin = stop;
+            begin = next;
         }
         setBox(node, lowX, lowY, highX, highY);
+        past[node] = nodes;
+    }
+
+    private void addLeaf(int start, int stop) {
+        int node = openNode(start, stop);
+        leafEnd[node] = stop;
+        boxOfItems(node, start, stop);
+        past[node] = nodes;
+    }
+
+    private int openNode(int start, int stop) {
+        int node = nodes++;
+        if (node == past.length) {
+            growNodes(2 * node);
+        }
+        first[node] = start;
+        end[node] = stop;
+        return node;
     }
 
     private int digit(int position, int depth) {
         return (int) (order[position] >>> (62 - 2 * depth)) & 3;
     }
 
-    private int item(int position) {
-        return (int) order[position];
-    }
-
-    private void boxOfItems(int node, int first, int end) {
+    private void boxOfItems(int node, int start, int stop) {
         double lowX = Double.POSITIVE_INFINITY;
         double lowY = Double.POSITIVE_INFINITY;
         double highX = Double.NEGATIVE_INFINITY;
         double highY = Double.NEGATIVE_INFINITY;
-        for (int p = first; p < end; p++) {
+        for (int p = start; p < stop; p++) {
             int i = item(p);
             lowX = Math.min(lowX, minX[i]);
             lowY = Math.min(lowY, minY[i]);
@@ -198,8 +235,9 @@ public final class Quadtree {
         nodeMaxX = Arrays.copyOf(nodeMaxX, capacity);
         nodeMaxY = Arrays.copyOf(nodeMaxY, capacity);
         past = Arrays.copyOf(past, capacity);
-        from = Arrays.copyOf(from, capacity);
-        to = Arrays.copyOf(to, capacity);
+        first = Arrays.copyOf(first, capacity);
+        end = Arrays.copyOf(end, capacity);
+        leafEnd = Arrays.copyOf(leafEnd, capacity);
     }
 
     /**
@@ -219,7 +257,7 @@ public final class Quadtree {
                 node = past[node];
                 continue;
             }
-            for (int p = from[node]; p >= 0 && p < to[node]; p++) {
+            for (int p = first[node]; p < leafEnd[node]; p++) {
                 int i = item(p);
                 if (minX[i] <= boxMaxX && maxX[i] >= boxMinX && minY[i] <= boxMaxY && maxY[i] >= boxMinY) {
                     if (hits == found.length) {
@@ -236,5 +274,36 @@ public final class Quadtree {
     /** The {@code hit}-th item of the last query. */
     public int found(int hit) {
         return found[hit];
+    }
+
+    // --- the tree itself, for sums over its nodes; node 0 is the root, parents stand before their children ---
+
+    /** How many nodes there are; 0 when there are no items. */
+    public int nodes() {
+        return nodes;
+    }
+
+    /** The node behind everything below this one. */
+    public int past(int node) {
+        return past[node];
+    }
+
+    public boolean isLeaf(int node) {
+        return past[node] == node + 1;
+    }
+
+    /** The position of the first item of a node in the order of the tree. */
+    public int first(int node) {
+        return first[node];
+    }
+
+    /** The position behind the last item of a node in the order of the tree. */
+    public int end(int node) {
+        return end[node];
+    }
+
+    /** The item at a position of the order of the tree. */
+    public int item(int position) {
+        return (int) order[position];
     }
 }
