@@ -1,0 +1,211 @@
+package io.github.apsis.engine.force;
+
+import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.spatial.Quadtree;
+import java.util.OptionalDouble;
+
+/**
+ * Newtonian gravity by a tree whose cells pull each other: the law of {@link DirectGravity} to a chosen accuracy, in a time
+ * that grows about like n.
+ *
+ * <pre>
+ *   cells A and B pull each other by their expansions when  r_A + r_B &lt; θ · |z_A − z_B|,
+ *   z = centre of mass, r = distance of the farthest body from it; otherwise the larger is divided,
+ *   and leaves that are still too close pull each other body by body
+ * </pre>
+ *
+ * <p>The mutual walk of Dehnen 2002 (J. Comput. Phys. 179, 27) with the expansions of {@link CellExpansions}. Every
+ * interaction serves both sides, so momentum is conserved to rounding; θ → 0 gives the direct sum.
+ */
+public final class TreeGravity implements ForceLaw {
+    private static final int LEAF_SIZE = 32;
+
+    /** Length; where 1/r⁶ and r⁴ are numbers. Cells larger or farther out pull body by body. */
+    private static final double LARGEST = 1e40;
+
+    private static final double SMALLEST = 1e-40;
+
+    private final double g; // length³ / (mass · time²)
+    private final double theta;
+    private final DirectGravity exact;
+    private final Quadtree tree = new Quadtree(LEAF_SIZE);
+    private final PointMasses masses;
+    private final CellExpansions cells;
+
+    private double[] centreX = new double[16];
+    private double[] centreY = new double[16];
+    private double[] cellMass = new double[16];
+    private double[] reach = new double[16]; // r / θ
+
+    /**
+     * Gravity with this opening angle.
+     *
+     * @param softening of Plummer, length
+     * @param theta between 0, which is the direct sum, and 1
+     */
+    public TreeGravity(double g, double softening, double theta) {
+        if (!(theta > 0 && theta <= 1)) {
+            throw new IllegalArgumentException("theta must be above 0 and at most 1, was " + theta);
+        }
+        this.g = g;
+        this.theta = theta;
+        this.exact = new DirectGravity(g, softening);
+        this.masses = new PointMasses(softening);
+        this.cells = new CellExpansions(softening);
+    }
+
+    @Override
+    public void apply(Bodies bodies) {
+        if (bodies.count() == 0) {
+            return;
+        }
+        plantTree(bodies);
+        masses.load(bodies, tree);
+        gatherMoments();
+        pullWithin(0);
+        passDown();
+        masses.giveTo(bodies, tree, g);
+    }
+
+    /** As for {@link DirectGravity#potential}: exact, and n²/2 pairs dear. */
+    @Override
+    public OptionalDouble potential(Bodies bodies) {
+        return exact.potential(bodies);
+    }
+
+    private void plantTree(Bodies bodies) {
+        tree.begin(bodies.count());
+        for (int i = 0; i < bodies.count(); i++) {
+            tree.set(i, bodies.x(i), bodies.y(i), bodies.x(i), bodies.y(i));
+        }
+        tree.build();
+    }
+
+    private void gatherMoments() {
+        int nodes = tree.nodes();
+        if (nodes > reach.length) {
+            centreX = new double[2 * nodes];
+            centreY = new double[2 * nodes];
+            cellMass = new double[2 * nodes];
+            reach = new double[2 * nodes];
+        }
+        cells.begin(nodes);
+        for (int cell = nodes - 1; cell >= 0; cell--) { // children stand behind their parent
+            findCentre(cell);
+            findReach(cell);
+            gather(cell);
+        }
+    }
+
+    private void findCentre(int cell) {
+        double m = 0;
+        double mx = 0;
+        double my = 0;
+        if (tree.isLeaf(cell)) {
+            for (int k = tree.first(cell); k < tree.end(cell); k++) {
+                m += masses.mass(k);
+                mx += masses.mass(k) * masses.x(k);
+                my += masses.mass(k) * masses.y(k);
+            }
+        } else {
+            for (int child = cell + 1; child < tree.past(cell); child = tree.past(child)) {
+                m += cellMass[child];
+                mx += cellMass[child] * centreX[child];
+                my += cellMass[child] * centreY[child];
+            }
+        }
+        cellMass[cell] = m;
+        centreX[cell] = mx / m;
+        centreY[cell] = my / m;
+    }
+
+    private void findReach(int cell) {
+        double farthest = 0;
+        for (int k = tree.first(cell); k < tree.end(cell); k++) {
+            double dx = masses.x(k) - centreX[cell];
+            double dy = masses.y(k) - centreY[cell];
+            farthest = Math.max(farthest, dx * dx + dy * dy); // NaN stays
+        }
+        double radius = Math.sqrt(farthest);
+        double extent = Math.abs(centreX[cell]) + Math.abs(centreY[cell]) + radius;
+        reach[cell] = extent < LARGEST ? Math.max(radius / theta, SMALLEST) : Double.POSITIVE_INFINITY;
+        for (int child = cell + 1; child < tree.past(cell); child = tree.past(child)) {
+            reach[cell] =
+                    Math.max(reach[cell], reach[child]); // so that what is above a cell without expansions has none
+        }
+    }
+
+    private boolean expands(int cell) {
+        return reach[cell] < Double.POSITIVE_INFINITY;
+    }
+
+    private void gather(int cell) {
+        if (!expands(cell)) {
+            return;
+        }
+        if (tree.isLeaf(cell)) {
+            for (int k = tree.first(cell); k < tree.end(cell); k++) {
+                cells.addBody(cell, masses.mass(k), masses.x(k) - centreX[cell], masses.y(k) - centreY[cell]);
+            }
+        } else {
+            for (int child = cell + 1; child < tree.past(cell); child = tree.past(child)) {
+                cells.addChild(cell, child, centreX[child] - centreX[cell], centreY[child] - centreY[cell]);
+            }
+        }
+    }
+
+    /** All pairs within a cell. */
+    private void pullWithin(int cell) {
+        if (tree.isLeaf(cell)) {
+            masses.pullWithin(tree.first(cell), tree.end(cell));
+            return;
+        }
+        for (int a = cell + 1; a < tree.past(cell); a = tree.past(a)) {
+            pullWithin(a);
+            for (int b = tree.past(a); b < tree.past(cell); b = tree.past(b)) {
+                pullBetween(a, b);
+            }
+        }
+    }
+
+    /** All pairs between two cells. */
+    private void pullBetween(int a, int b) {
+        double dx = centreX[a] - centreX[b];
+        double dy = centreY[a] - centreY[b];
+        double reachOfBoth = reach[a] + reach[b];
+        if (reachOfBoth * reachOfBoth < dx * dx + dy * dy) {
+            cells.interact(a, b, dx, dy);
+        } else if (tree.isLeaf(a) && tree.isLeaf(b)) {
+            masses.pullBetween(tree.first(a), tree.end(a), tree.first(b), tree.end(b));
+        } else if (tree.isLeaf(b) || !tree.isLeaf(a) && reach[a] >= reach[b]) {
+            for (int child = a + 1; child < tree.past(a); child = tree.past(child)) {
+                pullBetween(child, b);
+            }
+        } else {
+            for (int child = b + 1; child < tree.past(b); child = tree.past(child)) {
+                pullBetween(a, child);
+            }
+        }
+    }
+
+    private void passDown() {
+        for (int cell = 0; cell < tree.nodes(); cell++) {
+            if (!expands(cell)) {
+                continue;
+            }
+            if (tree.isLeaf(cell)) {
+                passToBodies(cell);
+                continue;
+            }
+            for (int child = cell + 1; child < tree.past(cell); child = tree.past(child)) {
+                cells.passDown(cell, child, centreX[child] - centreX[cell], centreY[child] - centreY[cell]);
+            }
+        }
+    }
+
+    private void passToBodies(int cell) {
+        for (int k = tree.first(cell); k < tree.end(cell); k++) {
+            cells.passToBody(cell, masses, k, masses.x(k) - centreX[cell], masses.y(k) - centreY[cell]);
+        }
+    }
+}
