@@ -3,17 +3,23 @@ package io.github.apsis.engine;
 import io.github.apsis.engine.CommandResult.Accepted;
 import io.github.apsis.engine.CommandResult.Reason;
 import io.github.apsis.engine.CommandResult.Rejected;
+import io.github.apsis.engine.WorldSpec.GravityMethod;
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.body.Ledger;
 import io.github.apsis.engine.collision.Boundary;
 import io.github.apsis.engine.diagnostics.Conserved;
+import io.github.apsis.engine.diagnostics.ForceError;
 import io.github.apsis.engine.diagnostics.Resolution;
+import io.github.apsis.engine.force.AdaptiveGravity;
 import io.github.apsis.engine.force.DirectGravity;
 import io.github.apsis.engine.force.ForceLaw;
 import io.github.apsis.engine.force.Forces;
+import io.github.apsis.engine.force.GravitySolver;
+import io.github.apsis.engine.force.GravitySolver.Method;
 import io.github.apsis.engine.force.NearestImageGravity;
+import io.github.apsis.engine.force.TreeGravity;
 import io.github.apsis.engine.force.UniformField;
 import io.github.apsis.engine.integration.AdaptiveTaylor;
 import io.github.apsis.engine.integration.Integrator;
@@ -28,6 +34,7 @@ import io.github.apsis.engine.stepping.TickStepper;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -39,6 +46,7 @@ import org.jspecify.annotations.Nullable;
 public final class World {
     private final WorldSpec spec;
     private final Bodies bodies = new Bodies();
+    private final @Nullable ForceLaw gravity;
     private final Forces forces;
     private final Steering steering;
     private final @Nullable AdaptiveTaylor adaptive;
@@ -48,7 +56,8 @@ public final class World {
 
     public World(WorldSpec spec) {
         this.spec = spec;
-        forces = new Forces(lawsOf(spec));
+        gravity = gravityOf(spec);
+        forces = new Forces(lawsOf(gravity, spec));
         steering = steeringOf(spec);
         adaptive = spec.integration() == WorldSpec.Integration.ADAPTIVE ? adaptiveOf(spec) : null;
         stepper = new TickStepper(
@@ -70,6 +79,7 @@ public final class World {
             if (adaptive != null && !bodies.areWithinNumbers()) {
                 letGo(); // powers of such a speed are beyond a series
             }
+            adaptGravity();
             decide();
             stepper.step(bodies);
         }
@@ -84,6 +94,12 @@ public final class World {
         if (bodies.ships().length > 0) {
             forces.ensureCurrent(bodies);
             steering.decide(bodies, tick, spec.dt());
+        }
+    }
+
+    private void adaptGravity() {
+        if (gravity instanceof AdaptiveGravity adaptive && adaptive.adapt(bodies)) {
+            bodies.outdateAccelerations();
         }
     }
 
@@ -181,6 +197,30 @@ public final class World {
         return Resolution.of(bodies, spec.dt());
     }
 
+    /** How gravity is summed at present. */
+    public GravitySolver gravitySolver() {
+        if (gravity instanceof AdaptiveGravity adaptive) {
+            return adaptive.solver(bodies.count());
+        }
+        if (gravity instanceof TreeGravity tree) {
+            return GravitySolver.of(Method.TREE, tree.theta());
+        }
+        if (gravity == null) {
+            return GravitySolver.of(Method.NONE, 0);
+        }
+        return GravitySolver.of(gravity instanceof DirectGravity ? Method.DIRECT : Method.NEAREST_IMAGE, 0);
+    }
+
+    /**
+     * How far gravity, as it is summed at present, is from the exact sum; measured now on 64 bodies, without effect on the
+     * world. Empty without gravity and in a periodic world, whose nearest images are another law.
+     */
+    public Optional<ForceError> forceError() {
+        return gravity == null || gravity instanceof NearestImageGravity
+                ? Optional.empty()
+                : Optional.of(ForceError.of(bodies, gravity, spec.gravity(), spec.softening()));
+    }
+
     /** The work and the impulses of engines, contacts and walls since the world began. */
     public Ledger ledger() {
         return bodies.ledger();
@@ -251,13 +291,26 @@ public final class World {
         }
     }
 
-    private static List<ForceLaw> lawsOf(WorldSpec spec) {
+    private static @Nullable ForceLaw gravityOf(WorldSpec spec) {
+        if (spec.gravity() == 0) {
+            return null;
+        }
+        if (spec.boundary() instanceof Boundary.Periodic p) {
+            return new NearestImageGravity(spec.gravity(), spec.softening(), p.box());
+        }
+        if (spec.gravityMethod() instanceof GravityMethod.Tree tree) {
+            return new TreeGravity(spec.gravity(), spec.softening(), tree.theta());
+        }
+        if (spec.gravityMethod() instanceof GravityMethod.Adaptive adaptive) {
+            return new AdaptiveGravity(spec.gravity(), spec.softening(), adaptive.forceError());
+        }
+        return new DirectGravity(spec.gravity(), spec.softening());
+    }
+
+    private static List<ForceLaw> lawsOf(@Nullable ForceLaw gravity, WorldSpec spec) {
         List<ForceLaw> laws = new ArrayList<>();
-        if (spec.gravity() > 0) {
-            laws.add(
-                    spec.boundary() instanceof Boundary.Periodic p
-                            ? new NearestImageGravity(spec.gravity(), spec.softening(), p.box())
-                            : new DirectGravity(spec.gravity(), spec.softening()));
+        if (gravity != null) {
+            laws.add(gravity);
         }
         laws.addAll(spec.laws());
         return laws;

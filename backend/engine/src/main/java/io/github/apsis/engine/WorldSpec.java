@@ -26,6 +26,7 @@ public final class WorldSpec {
 
     private final double gravity;
     private final double softening;
+    private final GravityMethod gravityMethod;
     private final List<ForceLaw> laws;
     private final Integration integration;
     private final double tolerance;
@@ -39,6 +40,7 @@ public final class WorldSpec {
     private WorldSpec(Builder builder) {
         gravity = builder.gravity;
         softening = builder.softening;
+        gravityMethod = builder.gravityMethod;
         laws = List.copyOf(builder.laws);
         integration = builder.integration;
         tolerance = builder.tolerance;
@@ -62,6 +64,11 @@ public final class WorldSpec {
     /** Plummer softening, length; 0 for Newton's law. */
     public double softening() {
         return softening;
+    }
+
+    /** How gravity is summed. */
+    public GravityMethod gravityMethod() {
+        return gravityMethod;
     }
 
     /** Further laws beside gravity. */
@@ -114,6 +121,18 @@ public final class WorldSpec {
         return maxBodies;
     }
 
+    /** How gravity is summed. */
+    public sealed interface GravityMethod {
+        /** Every pair, exactly. */
+        record Direct() implements GravityMethod {}
+
+        /** By a tree of this opening angle. */
+        record Tree(double theta) implements GravityMethod {}
+
+        /** By whatever is cheapest and keeps this relative error for nine bodies of ten. */
+        record Adaptive(double forceError) implements GravityMethod {}
+    }
+
     /** How positions and velocities advance; docs/accuracy says what each costs and how wrong it is. */
     public enum Integration {
         /** Order 1, one evaluation of the forces a tick; for comparison. */
@@ -134,6 +153,7 @@ public final class WorldSpec {
     public static final class Builder {
         private double gravity;
         private double softening;
+        private GravityMethod gravityMethod = new GravityMethod.Direct();
         private final List<ForceLaw> laws = new ArrayList<>();
         private Integration integration = Integration.VELOCITY_VERLET;
         private double tolerance = 1e-16;
@@ -155,6 +175,27 @@ public final class WorldSpec {
         /** Plummer softening of the attraction, length. */
         public Builder softening(double length) {
             this.softening = requirePositive("softening", length);
+            return this;
+        }
+
+        /** Gravity by a tree of this opening angle, above 0 and at most 1: 0.5 is right to 1e-4 for most bodies. */
+        public Builder tree(double theta) {
+            if (!(theta > 0 && theta <= 1)) {
+                throw new IllegalArgumentException("theta must be above 0 and at most 1, was " + theta);
+            }
+            this.gravityMethod = new GravityMethod.Tree(theta);
+            return this;
+        }
+
+        /**
+         * Gravity by the cheapest sum that keeps this relative error for nine bodies of ten, above 0 and below 1; the tenth
+         * may be worse where its pulls nearly cancel.
+         */
+        public Builder forceError(double relative) {
+            if (!(relative > 0 && relative < 1)) {
+                throw new IllegalArgumentException("a force error must be above 0 and below 1, was " + relative);
+            }
+            this.gravityMethod = new GravityMethod.Adaptive(relative);
             return this;
         }
 
@@ -228,9 +269,14 @@ public final class WorldSpec {
         }
 
         /**
-         * @throws IllegalStateException when the parts do not go together; the message says which
+         * The world as described.
+         *
+         * @throws IllegalStateException when its parts do not go together; the message says which
          */
         public WorldSpec build() {
+            if (!(gravityMethod instanceof GravityMethod.Direct)) {
+                requireTreeIsPossible();
+            }
             if (integration == Integration.ADAPTIVE) {
                 requireAdaptable();
             }
@@ -248,7 +294,20 @@ public final class WorldSpec {
                 throw new IllegalStateException(
                         "adaptive integration does not know periodic worlds; choose a symplectic method for them");
             }
+            if (!(gravityMethod instanceof GravityMethod.Direct)) {
+                throw new IllegalStateException(
+                        "adaptive integration sums gravity directly: leave out tree and forceError");
+            }
             maxBodies = Math.min(maxBodies, AdaptiveTaylor.MOST_BODIES);
+        }
+
+        private void requireTreeIsPossible() {
+            if (boundary instanceof Boundary.Periodic) {
+                throw new IllegalStateException("a periodic world sums nearest images: leave out tree and forceError");
+            }
+            if (gravity == 0) {
+                throw new IllegalStateException("tree and forceError need gravity: call gravity(G) too");
+            }
         }
 
         private static double requirePositive(String name, double value) {

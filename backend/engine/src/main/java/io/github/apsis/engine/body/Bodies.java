@@ -511,6 +511,11 @@ public final class Bodies {
         return Math.max(-most, Math.min(most, value)); // NaN stays
     }
 
+    /** Says that another force law has taken over: accelerations no longer belong to the positions. */
+    public void outdateAccelerations() {
+        accelerationsCurrent = false;
+    }
+
     /** Copies the positions of all bodies, for those who need to know the path through a tick. */
     public void copyPositions(double[] toX, double[] toY) {
         System.arraycopy(x, 0, toX, 0, count);

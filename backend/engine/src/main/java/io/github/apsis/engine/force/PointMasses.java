@@ -117,6 +117,14 @@ final class PointMasses {
         }
     }
 
+    /** Writes the accelerations by the slots of the bodies. */
+    void copyTo(double[] toX, double[] toY, Quadtree tree, double g) {
+        for (int k = 0; k < count; k++) {
+            toX[tree.item(k)] = g * ax[k];
+            toY[tree.item(k)] = g * ay[k];
+        }
+    }
+
     /** Lets every pair within a run pull each other. */
     void pullWithin(int start, int stop) {
         pull(start, stop, start, stop); // a body does not pull itself, as no body pulls another on the same spot

@@ -15,6 +15,12 @@ public final class CompensatedSum {
         sum = next;
     }
 
+    /** Begins anew. */
+    public void clear() {
+        sum = 0;
+        compensation = 0;
+    }
+
     /** The sum; infinite where it left the range of doubles. */
     public double value() {
         double value = sum + compensation;

@@ -302,6 +302,16 @@ public final class Quadtree {
         return end[node];
     }
 
+    /** How many items are below a node. */
+    public int size(int node) {
+        return end[node] - first[node];
+    }
+
+    /** How many items there are. */
+    public int items() {
+        return count;
+    }
+
     /** The item at a position of the order of the tree. */
     public int item(int position) {
         return (int) order[position];
