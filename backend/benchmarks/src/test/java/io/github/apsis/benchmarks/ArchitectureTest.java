@@ -24,13 +24,16 @@ class ArchitectureTest {
                     "io.github.apsis.scenes..",
                     "io.github.apsis.protocol..",
                     "picocli..",
+                    "tools.jackson..",
+                    "org.knowm.xchart..",
                     "org.jspecify.annotations..",
                     "com.sun.management..",
+                    "javax.imageio..",
                     "java.."));
 
     private static final ArchRule MEASURING_DOES_NOT_KNOW_THE_COMMAND_LINE = noClasses()
             .that()
-            .resideInAPackage("io.github.apsis.benchmarks")
+            .resideInAnyPackage("io.github.apsis.benchmarks", "io.github.apsis.benchmarks.accuracy..")
             .should()
             .dependOnClassesThat(resideInAnyPackage("io.github.apsis.benchmarks.cli..", "picocli.."));
 

@@ -1,0 +1,41 @@
+package io.github.apsis.benchmarks.accuracy;
+
+import java.util.Locale;
+import java.util.regex.Pattern;
+
+/** Numbers as cells of tables, with a point whatever the country. */
+final class Cells {
+    private static final Pattern TRAILING_ZEROS = Pattern.compile("(\\.\\d*?)0+$");
+
+    private Cells() {}
+
+    /** For programs: {@code 1.2346e-13}; empty for NaN. */
+    static String exact(double value) {
+        return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.4e", value);
+    }
+
+    /** For people: {@code 1.2e-13}; a dash for NaN. */
+    static String brief(double value) {
+        if (Double.isNaN(value)) {
+            return "–";
+        }
+        return value == 0 ? "0" : String.format(Locale.ROOT, "%.1e", value);
+    }
+
+    /** For people: three digits without an exponent; a dash for NaN. */
+    static String figure(double value) {
+        if (!Double.isFinite(value)) {
+            return "–";
+        }
+        int whole = value < 1 ? 0 : (int) Math.log10(value);
+        return String.format(Locale.ROOT, "%." + Math.max(0, 2 - whole) + "f", value);
+    }
+
+    /** {@code 628}, {@code 0.5}: no zeros behind the point. */
+    static String plain(double value) {
+        String text = TRAILING_ZEROS
+                .matcher(String.format(Locale.ROOT, "%.6f", value))
+                .replaceFirst("$1");
+        return text.endsWith(".") ? text.substring(0, text.length() - 1) : text;
+    }
+}

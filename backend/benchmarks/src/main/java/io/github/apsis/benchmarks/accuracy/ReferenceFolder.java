@@ -1,0 +1,154 @@
+package io.github.apsis.benchmarks.accuracy;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * The cases of a folder, by their format alone: each {@code .json} says its {@code kind} and its {@code id}. A file that cannot
+ * be used is a {@link Refusal} and stops nothing.
+ */
+final class ReferenceFolder {
+    /** Kinds about contacts, which are measured elsewhere. */
+    private static final Set<String> CONTACTS = Set.of("contact", "planet-drop", "outcomes");
+
+    private final List<NBodyCase> orbits = new ArrayList<>();
+    private final List<ForceCase> forces = new ArrayList<>();
+    private final List<RobustCase> robust = new ArrayList<>();
+    private final Tolerances tolerances = new Tolerances();
+    private final List<Refusal> refusals = new ArrayList<>();
+    private final List<String> contacts = new ArrayList<>();
+
+    /** A file that was not used, and why, as a status. */
+    record Refusal(String id, String status) {}
+
+    /**
+     * Reads a folder.
+     *
+     * @param wanted ids to use; files with others are passed over
+     */
+    static ReferenceFolder read(Path folder, Predicate<String> wanted) throws IOException {
+        List<Path> files;
+        try (Stream<Path> entries = Files.list(folder)) {
+            files = entries.filter(file -> file.toString().endsWith(".json"))
+                    .sorted()
+                    .toList();
+        }
+        var found = new ReferenceFolder();
+        for (Path file : files) {
+            found.use(file, wanted);
+        }
+        return found;
+    }
+
+    /** Reads the cases that come with the program. */
+    static ReferenceFolder shipped(Predicate<String> wanted) throws IOException {
+        URI place = shippedPlace();
+        if (!"jar".equals(place.getScheme())) {
+            return read(Path.of(place), wanted);
+        }
+        try (FileSystem jar = FileSystems.newFileSystem(place, Map.of())) {
+            Path copy = Files.createTempDirectory("apsis-cases"); // the peer reads them too, and reads no jars
+            copy.toFile().deleteOnExit();
+            try (Stream<Path> entries = Files.list(jar.provider().getPath(place))) {
+                for (Path entry : entries.toList()) {
+                    Path file = copy.resolve(entry.getFileName().toString());
+                    Files.copy(entry, file);
+                    file.toFile().deleteOnExit();
+                }
+            }
+            return read(copy, wanted);
+        }
+    }
+
+    private static URI shippedPlace() {
+        var place = ReferenceFolder.class.getResource("cases");
+        if (place == null) {
+            throw new IllegalStateException("this program comes without its cases");
+        }
+        try {
+            return place.toURI();
+        } catch (URISyntaxException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private void use(Path file, Predicate<String> wanted) {
+        String name = file.getFileName().toString().replaceFirst("\\.json$", "");
+        try {
+            JsonNode root = Json.read(file);
+            if (!root.isObject()) {
+                throw new IllegalArgumentException("it is not a JSON object");
+            }
+            add(root.hasNonNull("id") ? Json.text(root, "id") : name, root, file, wanted);
+        } catch (IllegalArgumentException e) {
+            refuse(name, wanted, Verdict.FAILED + e.getMessage());
+        } catch (IOException | UncheckedIOException e) {
+            refuse(name, wanted, Verdict.FAILED + "it cannot be read");
+        }
+    }
+
+    private void add(String id, JsonNode root, Path file, Predicate<String> wanted) throws IOException {
+        String kind = Json.text(root, "kind");
+        if (kind.equals("tolerances")) {
+            tolerances.read(root);
+        } else if (kind.equals("robust")) {
+            RobustCase.readAll(root)
+                    .filter(one -> wanted.test(id) || wanted.test(one.id()))
+                    .forEach(robust::add);
+        } else if (!wanted.test(id)) {
+            return;
+        } else if (kind.equals("nbody")) {
+            orbits.add(NBodyCase.of(id, root, file));
+        } else if (kind.equals("force")) {
+            forces.add(ForceCase.of(id, root, file));
+        } else if (CONTACTS.contains(kind)) {
+            contacts.add(id);
+        } else {
+            refuse(id, wanted, Verdict.SKIPPED + "the kind \"" + kind + "\" is not known here");
+        }
+    }
+
+    private void refuse(String id, Predicate<String> wanted, String status) {
+        if (wanted.test(id)) {
+            refusals.add(new Refusal(id, status));
+        }
+    }
+
+    List<NBodyCase> orbits() {
+        return orbits;
+    }
+
+    List<ForceCase> forces() {
+        return forces;
+    }
+
+    List<RobustCase> robust() {
+        return robust;
+    }
+
+    Tolerances tolerances() {
+        return tolerances;
+    }
+
+    List<Refusal> refusals() {
+        return refusals;
+    }
+
+    /** Ids of contact cases, which are not run here. */
+    List<String> contacts() {
+        return contacts;
+    }
+}
