@@ -75,7 +75,7 @@ public final class AccuracyStudy {
         requireSomething(folder);
         Optional<Rebound> peer = Rebound.of(options.python(), options.ladder().thoroughness());
         progress.accept(peer.map(found -> "REBOUND " + found.version() + " runs beside us")
-                .orElse("no REBOUND: " + options.python() + " cannot import it; --python names another"));
+                .orElse("no REBOUND: '" + options.python() + "' cannot import it; --python names another"));
         refuse(folder);
         runOrbits(folder, peer);
         runForces(folder, peer);
@@ -94,6 +94,7 @@ public final class AccuracyStudy {
         if (folder.orbits().isEmpty()
                 && folder.forces().isEmpty()
                 && folder.robust().isEmpty()
+                && folder.brokenRobust().isEmpty()
                 && folder.refusals().isEmpty()) {
             throw new IllegalArgumentException(
                     options.ids().isEmpty()
@@ -104,7 +105,7 @@ public final class AccuracyStudy {
 
     private void refuse(ReferenceFolder folder) {
         for (ReferenceFolder.Refusal refusal : folder.refusals()) {
-            progress.accept(refusal.id() + ".json " + refusal.status());
+            progress.accept(refusal.file() + " " + refusal.status());
             results.orbits.add(OrbitRow.without(refusal.id(), refusal.status()));
         }
         results.contacts.addAll(folder.contacts());
@@ -185,6 +186,10 @@ public final class AccuracyStudy {
         int mostTicks = options.isShort() ? 150 : Integer.MAX_VALUE;
         if (!folder.robust().isEmpty()) {
             progress.accept(folder.robust().size() + " hard inputs");
+        }
+        for (RobustRow broken : folder.brokenRobust()) {
+            progress.accept(broken.id() + ": " + broken.outcome());
+            results.robust.add(broken);
         }
         for (RobustCase input : folder.robust()) {
             results.robust.add(new RobustRun(input, mostTicks).run());

@@ -31,6 +31,14 @@ final class Cells {
         return String.format(Locale.ROOT, "%." + Math.max(0, 2 - whole) + "f", value);
     }
 
+    /** For people, of a ratio: {@code 54}, {@code 1.8}, {@code 0.03}, {@code 2e4}. */
+    static String times(double ratio) {
+        if (ratio >= 1000 || ratio < 0.01) {
+            return String.format(Locale.ROOT, "%.0e", ratio).replace("e+0", "e").replace("e-0", "e-");
+        }
+        return String.format(Locale.ROOT, ratio >= 10 ? "%.0f" : ratio >= 0.1 ? "%.1f" : "%.2f", ratio);
+    }
+
     /** {@code 628}, {@code 0.5}: no zeros behind the point. */
     static String plain(double value) {
         String text = TRAILING_ZEROS

@@ -31,12 +31,8 @@ record EqualCpu(List<OrbitRow> ours, List<OrbitRow> peers, ToDoubleFunction<Orbi
         if (error.applyAsDouble(our) > LOST) {
             return "–"; // between two that lost the orbit there is nothing to compare
         }
-        String text = times >= 10 || times < 0.1
-                ? String.format(Locale.ROOT, "%.0e", times)
-                        .replaceFirst("e([+-])0?", "e$1")
-                        .replace("e+", "e")
-                : String.format(Locale.ROOT, "%.1f", times);
-        return times > 1 ? "**" + text + "×**" : text + "×";
+        String text = Cells.times(times) + "×";
+        return times > 1 ? "**" + text + "**" : text;
     }
 
     /** The setting with the smallest error that costs no more; empty when all cost more. */

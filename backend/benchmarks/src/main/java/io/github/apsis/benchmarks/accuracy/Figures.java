@@ -1,6 +1,7 @@
 package io.github.apsis.benchmarks.accuracy;
 
 import io.github.apsis.engine.WorldSnapshot;
+import io.github.apsis.engine.math.Aabb;
 
 /** What can be read off a snapshot. */
 final class Figures {
@@ -55,5 +56,14 @@ final class Figures {
             }
         }
         return deepest;
+    }
+
+    static boolean allInside(WorldSnapshot now, Aabb box) {
+        for (int i = 0; i < now.count(); i++) {
+            if (!box.contains(now.x(i), now.y(i))) {
+                return false;
+            }
+        }
+        return true;
     }
 }

@@ -14,6 +14,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** The pictures of the report. Axes are logarithmic: a straight line down to the right is a method of constant order. */
 final class Plots {
+    private static final double WORST = 10; // beyond it a run has nothing to do with its case any more
     private static final Map<String, Color> OURS = new LinkedHashMap<>();
     private static final Map<String, Look> PEERS = new LinkedHashMap<>();
 
@@ -84,7 +85,7 @@ final class Plots {
             String id, List<OrbitRow> rows, String method, ToDoubleFunction<OrbitRow> error) {
         return rows.stream()
                 .filter(row -> row.caseId().equals(id) && row.method().equals(method) && row.isMeasured())
-                .filter(row -> error.applyAsDouble(row) < 1e3) // beyond it has nothing to do with the case any more
+                .filter(row -> !row.status().startsWith(Verdict.CANNOT_FOLLOW) && error.applyAsDouble(row) < WORST)
                 .filter(row -> !isRoomOfAdaptive(row))
                 .map(row -> new double[] {row.cpuMicrosPerUnit(), error.applyAsDouble(row)})
                 .sorted((a, b) -> Double.compare(a[0], b[0]))

@@ -24,15 +24,18 @@ final class ReferenceFolder {
     /** Kinds about contacts, which are measured elsewhere. */
     private static final Set<String> CONTACTS = Set.of("contact", "planet-drop", "outcomes");
 
+    private static final int DEFAULT_TICKS = 1500;
+
     private final List<NBodyCase> orbits = new ArrayList<>();
     private final List<ForceCase> forces = new ArrayList<>();
     private final List<RobustCase> robust = new ArrayList<>();
+    private final List<RobustRow> brokenRobust = new ArrayList<>();
     private final Tolerances tolerances = new Tolerances();
     private final List<Refusal> refusals = new ArrayList<>();
     private final List<String> contacts = new ArrayList<>();
 
     /** A file that was not used, and why, as a status. */
-    record Refusal(String id, String status) {}
+    record Refusal(String id, String file, String status) {}
 
     /**
      * Reads a folder.
@@ -94,9 +97,9 @@ final class ReferenceFolder {
             }
             add(root.hasNonNull("id") ? Json.text(root, "id") : name, root, file, wanted);
         } catch (IllegalArgumentException e) {
-            refuse(name, wanted, Verdict.FAILED + e.getMessage());
+            refuse(name, file, wanted, Verdict.FAILED + e.getMessage());
         } catch (IOException | UncheckedIOException e) {
-            refuse(name, wanted, Verdict.FAILED + "it cannot be read");
+            refuse(name, file, wanted, Verdict.FAILED + "it cannot be read");
         }
     }
 
@@ -105,9 +108,7 @@ final class ReferenceFolder {
         if (kind.equals("tolerances")) {
             tolerances.read(root);
         } else if (kind.equals("robust")) {
-            RobustCase.readAll(root)
-                    .filter(one -> wanted.test(id) || wanted.test(one.id()))
-                    .forEach(robust::add);
+            useRobust(root, one -> wanted.test(id) || wanted.test(one));
         } else if (!wanted.test(id)) {
             return;
         } else if (kind.equals("nbody")) {
@@ -117,13 +118,28 @@ final class ReferenceFolder {
         } else if (CONTACTS.contains(kind)) {
             contacts.add(id);
         } else {
-            refuse(id, wanted, Verdict.SKIPPED + "the kind \"" + kind + "\" is not known here");
+            refuse(id, file, wanted, Verdict.SKIPPED + "the kind \"" + kind + "\" is not known here");
         }
     }
 
-    private void refuse(String id, Predicate<String> wanted, String status) {
+    /** A case that cannot be read is a row that has failed; the others of its file are run all the same. */
+    private void useRobust(JsonNode root, Predicate<String> wanted) {
+        int ticks = (int) Json.number(root, "default_ticks", DEFAULT_TICKS);
+        for (JsonNode one : Json.field(root, "cases")) {
+            String id = one.path("id").asString("without id");
+            if (wanted.test(id)) {
+                try {
+                    robust.add(RobustCase.of(one, ticks));
+                } catch (IllegalArgumentException e) {
+                    brokenRobust.add(new RobustRow(id, RobustRow.FAILED, String.valueOf(e.getMessage())));
+                }
+            }
+        }
+    }
+
+    private void refuse(String id, Path file, Predicate<String> wanted, String status) {
         if (wanted.test(id)) {
-            refusals.add(new Refusal(id, status));
+            refusals.add(new Refusal(id, file.getFileName().toString(), status));
         }
     }
 
@@ -137,6 +153,11 @@ final class ReferenceFolder {
 
     List<RobustCase> robust() {
         return robust;
+    }
+
+    /** Hard inputs that could not be read. */
+    List<RobustRow> brokenRobust() {
+        return brokenRobust;
     }
 
     Tolerances tolerances() {

@@ -2,7 +2,6 @@ package io.github.apsis.benchmarks.accuracy;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
@@ -28,8 +27,6 @@ record RobustCase(
         double collisionTime,
         int ticks,
         JsonNode check) {
-    private static final int DEFAULT_TICKS = 1500;
-
     /** A body as the file has it, whatever its numbers. */
     record RawBody(double m, double r, double x, double y, double vx, double vy) {
         static RawBody of(JsonNode body) {
@@ -47,15 +44,12 @@ record RobustCase(
         }
     }
 
-    /** All cases of a file. */
-    static Stream<RobustCase> readAll(JsonNode root) {
-        int ticks = (int) Json.number(root, "default_ticks", DEFAULT_TICKS);
-        List<RobustCase> cases = new ArrayList<>();
-        Json.field(root, "cases").forEach(one -> cases.add(of(one, ticks)));
-        return cases.stream();
-    }
-
-    private static RobustCase of(JsonNode one, int ticks) {
+    /**
+     * One case of a file.
+     *
+     * @param defaultTicks of the file, for a case that names no number of its own
+     */
+    static RobustCase of(JsonNode one, int defaultTicks) {
         return new RobustCase(
                 Json.text(one, "id"),
                 Json.number(one, "G", 0),
@@ -65,7 +59,7 @@ record RobustCase(
                 one.hasNonNull("values") ? numbers(one.get("values")) : new double[0],
                 Json.number(one, "period", 0),
                 Json.number(one, "collision_time", 0),
-                (int) Json.number(one, "ticks", ticks),
+                (int) Json.number(one, "ticks", defaultTicks),
                 Json.field(one, "check"));
     }
 

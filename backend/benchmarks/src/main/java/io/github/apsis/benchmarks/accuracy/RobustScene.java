@@ -14,6 +14,9 @@ import java.util.List;
 final class RobustScene {
     private static final double EDGE = 1e3; // length, of the box around a scene with a floor
 
+    /** What the pile falls in. */
+    static final Aabb BOX = new Aabb(-3, 0, 3, 30);
+
     private final RobustCase input;
 
     RobustScene(RobustCase input) {
@@ -72,7 +75,7 @@ final class RobustScene {
     World pileInABox() {
         World world = new World(WorldSpec.builder()
                 .law(new UniformField(0, -10))
-                .walls(new Aabb(-3, 0, 3, 30), 0.5)
+                .walls(BOX, 0.5)
                 .contacts(0.5)
                 .dt(dt())
                 .build());

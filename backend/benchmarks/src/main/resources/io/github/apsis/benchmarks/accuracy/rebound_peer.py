@@ -193,7 +193,7 @@ def energy_over_time(path, end):
         while t <= end * 1.0001:
             advance(sim, t, dt, False)
             worst = worse(worst, case.conserved_errors(sim)[0])
-            out.writerow(["rebound-" + name, cell(dt), cell(tolerance), "%.6g" % t, "%.4e" % worst])
+            out.writerow(["rebound-" + name, "" if dt is None else repr(dt), cell(tolerance), "%.6g" % t, "%.4e" % worst])
             t *= 10 ** (1 / 60)
 
 

@@ -53,7 +53,7 @@ class ReferenceFolderTest {
 
         ReferenceFolder found = ReferenceFolder.read(folder, id -> true);
 
-        assertThat(found.refusals()).extracting(Refusal::id).containsExactly("broken");
+        assertThat(found.refusals()).extracting(Refusal::file).containsExactly("broken.json");
         assertThat(found.refusals().get(0).status()).startsWith(status);
         assertThat(found.orbits()).hasSize(1);
     }
@@ -75,5 +75,18 @@ class ReferenceFolderTest {
 
         assertThat(found.contacts()).containsExactly("bump");
         assertThat(found.refusals()).isEmpty();
+    }
+
+    @Test
+    void a_hard_input_that_cannot_be_read_leaves_the_others_of_its_file() throws IOException {
+        Files.writeString(
+                folder.resolve("robust.json"),
+                """
+                {"kind": "robust", "cases": [{"id": "empty"}, {"id": "points", "check": {"finite": true}}]}""");
+
+        ReferenceFolder found = ReferenceFolder.read(folder, id -> true);
+
+        assertThat(found.brokenRobust()).containsExactly(new RobustRow("empty", "failed", "it has no check"));
+        assertThat(found.robust()).extracting(RobustCase::id).containsExactly("points");
     }
 }
