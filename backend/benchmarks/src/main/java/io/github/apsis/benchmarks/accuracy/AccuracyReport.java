@@ -99,7 +99,7 @@ final class AccuracyReport {
                 from its true place at the last sample, each divided by the scale that the case gives. Other worlds are timed: \
                 CPU time of the one thread, best of three after a warm-up, over up to 100 periods, divided by the simulated \
                 time. All methods run in one JVM. REBOUND is timed by its process's CPU time in the same way, and measured in \
-                extended precision at 400 moments.""");
+                extended precision at up to 1500 moments.""");
         page.paragraph("**" + results.summary() + ".**");
         List<OrbitRow> bad = results.orbits.stream()
                 .filter(row -> Verdict.isBad(row.status()) || row.status().startsWith(Verdict.SKIPPED))
@@ -115,6 +115,12 @@ final class AccuracyReport {
         if (bad.size() > MOST_COMPLAINTS) {
             page.paragraph("… and %d more: see the column `status` of [accuracy.csv](accuracy.csv)."
                     .formatted(bad.size() - MOST_COMPLAINTS));
+        }
+        if (!results.swinging.isEmpty()) {
+            page.paragraph(
+                    "Energy limits were measured once per unit of time, and are judged so; `energy_error` in the tables "
+                            + "is the largest of all ticks. It is above the limit between whole units, and below it at them, for "
+                            + String.join("; ", results.swinging) + ".");
         }
         if (!results.contacts.isEmpty()) {
             page.paragraph(

@@ -140,26 +140,36 @@ public final class AccuracyStudy {
         for (Setting setting : options.ladder().of(orbit)) {
             try {
                 new OrbitRun(orbit, setting).warmUp(WARM_NANOS);
-            } catch (IllegalArgumentException | IllegalStateException e) {
+            } catch (RuntimeException e) {
                 // It will be a row that has failed.
             }
         }
     }
 
-    private static OrbitRow row(NBodyCase orbit, Setting setting, double horizon, Tolerances tolerances) {
+    private OrbitRow row(NBodyCase orbit, Setting setting, double horizon, Tolerances tolerances) {
         try {
             var run = new OrbitRun(orbit, setting);
             OrbitErrors errors = run.errors();
-            String status = Verdict.of(errors, tolerances.of(orbit.id(), setting));
+            List<Tolerances.Limit> limits = tolerances.of(orbit.id(), setting);
+            String status = Verdict.of(errors, limits);
+            if (Verdict.swings(errors, limits)) {
+                results.swinging.add(orbit.id() + " by " + setting);
+            }
             return OrbitRow.of(orbit, setting, run.cpuMicrosPerUnit(horizon), errors, status);
-        } catch (IllegalArgumentException | IllegalStateException e) { // the engine refuses, or stops
+        } catch (RuntimeException e) { // the engine refuses, or stops, or has a bug: the other rows are worth having
             return OrbitRow.failed(
                     orbit.id(),
                     setting.method().label(),
                     setting.dt(),
                     setting.tolerance(),
-                    Verdict.FAILED + e.getMessage());
+                    Verdict.FAILED + reason(e));
         }
+    }
+
+    private static String reason(RuntimeException e) {
+        return e instanceof IllegalArgumentException || e instanceof IllegalStateException
+                ? String.valueOf(e.getMessage())
+                : e.toString();
     }
 
     // --- the rest ---
@@ -171,10 +181,14 @@ public final class AccuracyStudy {
                 continue;
             }
             progress.accept(bodies.id() + ": direct sum and tree");
-            var run = new ForceRun(bodies);
-            results.forces.add(run.direct());
-            for (double theta : options.isShort() ? FEW_THETAS : THETAS) {
-                results.forces.add(run.tree(theta));
+            try {
+                var run = new ForceRun(bodies);
+                results.forces.add(run.direct());
+                for (double theta : options.isShort() ? FEW_THETAS : THETAS) {
+                    results.forces.add(run.tree(theta));
+                }
+            } catch (RuntimeException e) {
+                results.orbits.add(OrbitRow.without(bodies.id(), Verdict.FAILED + reason(e)));
             }
             if (peer.isPresent()) {
                 results.forces.addAll(peer.get().forces(bodies.file()));
@@ -206,17 +220,11 @@ public final class AccuracyStudy {
         NBodyCase orbit = found.get();
         double end = LONG_PERIODS * orbit.period();
         progress.accept("%s: %d periods".formatted(LONG_CASE, LONG_PERIODS));
-        for (Setting setting : List.of(
-                Setting.fixed(Method.SEMI_IMPLICIT_EULER, Ladder.ROOM),
-                Setting.fixed(Method.LEAPFROG, Ladder.ROOM),
-                Setting.fixed(Method.YOSHIDA4, Ladder.ROOM),
-                Setting.fixed(Method.PEFRL, Ladder.ROOM),
-                Setting.fixed(Method.SYMPLECTIC8, 2 * Ladder.ROOM),
-                Setting.adaptive(Ticks.longest(orbit), Tolerances.ADAPTIVE_DEFAULT))) {
+        for (Setting setting : EnergyOverTime.settings(orbit)) {
             try {
                 results.energy.addAll(EnergyOverTime.of(orbit, setting, end));
-            } catch (IllegalArgumentException | IllegalStateException e) {
-                progress.accept(LONG_CASE + " by " + setting + ": " + e.getMessage());
+            } catch (RuntimeException e) {
+                progress.accept(LONG_CASE + " by " + setting + ": " + reason(e));
             }
         }
         if (peer.isPresent()) {
@@ -227,6 +235,7 @@ public final class AccuracyStudy {
     private void runSolarSystem(Optional<Rebound> peer) throws IOException {
         progress.accept("the solar system: 1000 years");
         Path folder = Files.createTempDirectory("apsis-solar-system");
+        folder.toFile().deleteOnExit(); // the last named goes first, so the folder is empty by then
         try {
             NBodyCase orbit = SolarMillennium.write(folder);
             orbit.file().toFile().deleteOnExit();
@@ -237,10 +246,8 @@ public final class AccuracyStudy {
             if (peer.isPresent()) {
                 results.solarSystem.addAll(peer.get().orbits(orbit, horizon, 1)); // steps of days
             }
-        } catch (IllegalArgumentException | IllegalStateException e) {
-            progress.accept("the solar system: " + e.getMessage());
-        } finally {
-            folder.toFile().deleteOnExit();
+        } catch (RuntimeException e) {
+            progress.accept("the solar system: " + reason(e));
         }
     }
 }

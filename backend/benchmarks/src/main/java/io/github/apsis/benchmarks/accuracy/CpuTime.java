@@ -7,7 +7,7 @@ import java.util.Arrays;
 /** CPU time of this thread: what others do on the machine at the same time counts less than on a wall clock. */
 final class CpuTime {
     private static final long SHORT_NANOS = 20_000_000; // below this a measurement repeats what it measures
-    private static final long WARM_NANOS = 60_000_000; // the compiler knows the method already: see the study
+    private static final long WARM_NANOS = 20_000_000; // the compiler knows the method already: see the study
     private static final long PATIENCE_NANOS = 2_000_000_000;
     private static final int RUNS = 3;
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();

@@ -41,6 +41,17 @@ final class EnergyOverTime {
         }
     }
 
+    /** Each method with a step that resolves a smooth orbit, and the adaptive one as tight as it goes. */
+    static List<Setting> settings(NBodyCase orbit) {
+        return List.of(
+                Setting.fixed(Method.SEMI_IMPLICIT_EULER, Ladder.ROOM),
+                Setting.fixed(Method.LEAPFROG, Ladder.ROOM),
+                Setting.fixed(Method.YOSHIDA4, Ladder.ROOM),
+                Setting.fixed(Method.PEFRL, Ladder.ROOM),
+                Setting.fixed(Method.SYMPLECTIC8, 2 * Ladder.ROOM),
+                Setting.adaptive(Ticks.longest(orbit), Tolerances.ADAPTIVE_DEFAULT));
+    }
+
     /** Follows one case far beyond its last sample. */
     static List<Row> of(NBodyCase orbit, Setting setting, double end) {
         World world = orbit.world(setting);

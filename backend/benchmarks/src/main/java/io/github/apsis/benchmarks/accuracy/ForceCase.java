@@ -8,6 +8,12 @@ import tools.jackson.databind.JsonNode;
 
 /** Many masses at rest and the true acceleration of each, unsoftened. */
 record ForceCase(String id, double g, double[] m, double[] x, double[] y, double[] ax, double[] ay, Path file) {
+    ForceCase {
+        if (m.length == 0) {
+            throw new IllegalArgumentException("its table has no bodies");
+        }
+    }
+
     static ForceCase of(String id, JsonNode root, Path file) throws IOException {
         Path table = file.resolveSibling(Json.text(root, "csv"));
         if (!Files.isReadable(table)) {

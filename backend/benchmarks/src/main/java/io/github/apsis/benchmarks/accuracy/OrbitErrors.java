@@ -13,10 +13,11 @@ record OrbitErrors(List<AtSample> samples, double momentum, boolean bodiesLost) 
      * Errors at one sample, each in units of its scale in the case.
      *
      * @param energy largest until then
+     * @param energyOncePerUnit largest until then at whole units of time alone; NaN where they are not ticks
      * @param spin largest of angular momentum until then
      * @param position at that moment; NaN when the sample falls between two ticks
      */
-    record AtSample(double time, double energy, double spin, double position) {}
+    record AtSample(double time, double energy, double energyOncePerUnit, double spin, double position) {}
 
     AtSample last() {
         return samples.get(samples.size() - 1);

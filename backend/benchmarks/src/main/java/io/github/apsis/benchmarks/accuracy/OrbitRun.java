@@ -29,6 +29,7 @@ final class OrbitRun {
         var watch = new Watch(world);
         List<OrbitErrors.AtSample> samples = new ArrayList<>();
         long stride = 1 + Math.round(orbit.end() / setting.dt()) / MOMENTS;
+        long unit = Ticks.until(1, setting.dt()); // ticks; 0 when a unit of time is no whole number of them
         for (Sample sample : orbit.samples()) {
             long tick = Ticks.until(sample.time(), setting.dt());
             if (tick == 0) {
@@ -36,13 +37,16 @@ final class OrbitRun {
             }
             while (world.tick() < tick) {
                 world.step();
-                if (world.tick() % stride == 0) {
+                if (unit > 0 && world.tick() % unit == 0) {
+                    watch.measureAtUnit(world);
+                } else if (world.tick() % stride == 0) {
                     watch.measure(world);
                 }
             }
             watch.measure(world);
             double position = sample.positionError(world.snapshot()) / orbit.lengthScale();
-            samples.add(new OrbitErrors.AtSample(sample.time(), watch.energy, watch.spin, position));
+            samples.add(new OrbitErrors.AtSample(
+                    sample.time(), watch.energy, unit > 0 ? watch.energyAtUnits : Double.NaN, watch.spin, position));
         }
         return new OrbitErrors(
                 samples, watch.momentum, world.count() < orbit.bodies().size());
@@ -75,6 +79,7 @@ final class OrbitRun {
         private final double momentumY;
         private double momentumScale;
         private double energy;
+        private double energyAtUnits;
         private double spin;
         private double momentum;
 
@@ -85,14 +90,21 @@ final class OrbitRun {
             momentumScale = start.momentumScale();
         }
 
-        private void measure(World world) {
+        private void measureAtUnit(World world) {
+            energyAtUnits = Math.max(energyAtUnits, measure(world));
+        }
+
+        /** Measures everything, and returns the energy error of this moment. */
+        private double measure(World world) {
             Conserved now = world.conserved();
-            energy = Math.max(energy, Math.abs(now.energy().orElse(Double.NaN) - orbit.energy()) / orbit.energyScale());
+            double energyNow = Math.abs(now.energy().orElse(Double.NaN) - orbit.energy()) / orbit.energyScale();
+            energy = Math.max(energy, energyNow);
             spin = Math.max(spin, Math.abs(now.angularMomentum() - orbit.spin()) / orbit.spinScale());
             momentumScale = Math.max(momentumScale, now.momentumScale());
             double dx = now.momentumX() - momentumX;
             double dy = now.momentumY() - momentumY;
             momentum = Math.max(momentum, Math.hypot(dx, dy) / Math.max(momentumScale, Double.MIN_NORMAL));
+            return energyNow;
         }
     }
 }

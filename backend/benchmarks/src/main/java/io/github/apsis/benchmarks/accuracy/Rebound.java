@@ -3,6 +3,7 @@ package io.github.apsis.benchmarks.accuracy;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,6 +21,8 @@ import java.util.function.Function;
  */
 final class Rebound {
     private static final String SCRIPT = "rebound_peer.py";
+    private static final int VERSION_SECONDS = 60;
+    private static final int ROWS_SECONDS = 600;
 
     private final String python;
     private final Path script;
@@ -41,7 +44,7 @@ final class Rebound {
             Files.copy(Objects.requireNonNull(in), script, StandardCopyOption.REPLACE_EXISTING);
         }
         try {
-            List<String> said = run(List.of(python, script.toString(), "version"), 60);
+            List<String> said = run(List.of(python, script.toString(), "version"), VERSION_SECONDS);
             return said.isEmpty()
                     ? Optional.empty()
                     : Optional.of(new Rebound(python, script, said.get(said.size() - 1), thoroughness));
@@ -85,7 +88,7 @@ final class Rebound {
             command.add("--short");
         }
         List<T> rows = new ArrayList<>();
-        for (String line : run(command, 600)) {
+        for (String line : run(command, ROWS_SECONDS)) {
             try {
                 rows.add(parse.apply(line));
             } catch (IllegalArgumentException e) {
@@ -95,20 +98,20 @@ final class Rebound {
         return rows;
     }
 
-    /** The lines of standard output; none when the program fails. */
+    /** The lines of standard output, as many as there were until the program ended or its time was up. */
     private static List<String> run(List<String> command, int seconds) throws IOException {
         Process process = new ProcessBuilder(command)
                 .redirectError(ProcessBuilder.Redirect.DISCARD)
                 .start();
         process.onExit().orTimeout(seconds, TimeUnit.SECONDS).exceptionally(late -> process.destroyForcibly());
+        List<String> lines = new ArrayList<>();
         try (BufferedReader out = process.inputReader(StandardCharsets.UTF_8)) {
-            List<String> lines = out.lines().toList();
-            return process.waitFor(10, TimeUnit.SECONDS) && process.exitValue() == 0 ? lines : List.of();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            return List.of();
+            out.lines().forEach(lines::add);
+        } catch (UncheckedIOException e) {
+            // Ended in the middle of a line: what came before it counts.
         } finally {
             process.destroy();
         }
+        return lines;
     }
 }

@@ -13,6 +13,9 @@ final class Results {
     final List<StepCost> stepCosts = new ArrayList<>();
     final List<EnergyOverTime.Row> energy = new ArrayList<>();
     final List<OrbitRow> solarSystem = new ArrayList<>();
+    /** Settings whose energy is within its limit once per unit of time, as the limit was measured, and not between. */
+    final List<String> swinging = new ArrayList<>();
+
     final List<String> contacts = new ArrayList<>();
 
     /** What must fail the command. */

@@ -20,12 +20,16 @@ from ctypes import byref
 import numpy as np
 import rebound
 
-MOMENTS = 400  # at which energy is measured; each costs Python some 50 us
+MOMENTS, FEW_MOMENTS = 1500, 300  # at which energy is measured, each costs Python some 50 us; the latter in a short run
 FIXED_STEPS = {"leapfrog": (1, 0, -1), "leapfrog4": (1, 0, -1), "leapfrog6": (3, 2, 1, 0), "leapfrog8": (4, 3, 2, 1, 0),
                "whfast": (1, 0), "whfast-c17": (4, 1, 0)}
 IAS15 = (("ias15", "PRS23", 1e-9), ("ias15", "PRS23", 1e-5), ("ias15-aarseth85", "AARSETH85", 1e-9), ("ias15-global", "GLOBAL", 1e-9))
 BS = (1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
 PATIENCE = 8.0  # seconds of CPU; what takes longer is not repeated
+
+
+def name_of(d, path):
+    return d.get("id") or os.path.basename(path)[:-len(".json")]
 
 
 def number(v):
@@ -36,7 +40,7 @@ class Case:
     def __init__(self, path, end=math.inf):
         with open(path, encoding="utf-8") as f:
             d = json.load(f)
-        self.id, self.g = d["id"], number(d["G"])
+        self.id, self.g = name_of(d, path), number(d["G"])
         self.bodies = [[number(b[k]) for k in ("m", "x", "y", "vx", "vy")] for b in d["bodies"]]
         self.m = np.array([b[0] for b in self.bodies], dtype=np.longdouble)
         self.period = number(d.get("period") or 0)
@@ -129,14 +133,14 @@ def advance(sim, t, dt, exact):
         sim.integrate(t, exact_finish_time=1 if exact else 0)
 
 
-def errors(case, dt, configure):
+def errors(case, dt, configure, most):
     """Largest errors of energy and angular momentum over the run, and the position error at its end."""
     sim = case.simulation(configure)
     energy = spin = position = 0.0
     before = 0.0
     end = case.samples[-1][0]
     for t, truth in case.samples:
-        moments = max(10, int(MOMENTS * (t - before) / end))
+        moments = max(10, int(most * (t - before) / end))
         for k in range(1, moments):
             advance(sim, before + (t - before) * k / moments, dt, False)
             e, l = case.conserved_errors(sim)
@@ -174,7 +178,7 @@ def nbody(path, end, horizon, unit, short):
     out = csv.writer(sys.stdout, lineterminator="\n")
     for name, dt, tolerance, configure in settings(case, unit, short):
         try:
-            energy, spin, position = errors(case, dt, configure)
+            energy, spin, position = errors(case, dt, configure, FEW_MOMENTS if short else MOMENTS)
             cpu = cpu_us_per_unit(case, horizon, dt, configure)
             status = "ok" if energy <= 1 and math.isfinite(position) else "cannot follow"
             row = [cell(cpu), cell(energy), cell(spin), cell(position), status]
@@ -231,7 +235,7 @@ def force(path, short):
         n = len(m)
         figures = (relative[n // 2], relative[math.ceil(0.99 * n) - 1], relative[-1],
                    math.sqrt((error ** 2).sum() / (true ** 2).sum()), net, sorted(times)[len(times) // 2])
-        out.writerow([d["id"], "rebound-" + kind, "" if theta is None else theta] + ["%.4e" % v for v in figures])
+        out.writerow([name_of(d, path), "rebound-" + kind, "" if theta is None else theta] + ["%.4e" % v for v in figures])
         sys.stdout.flush()
 
 

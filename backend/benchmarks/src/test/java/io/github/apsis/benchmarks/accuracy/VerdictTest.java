@@ -9,8 +9,9 @@ import org.junit.jupiter.api.Test;
 
 class VerdictTest {
     private static final double ANY = Double.POSITIVE_INFINITY;
+    private static final double NONE = Double.NaN;
     private static final OrbitErrors RUN = new OrbitErrors(
-            List.of(new AtSample(6, 1e-5, 1e-14, 1e-4), new AtSample(63, 1e-5, 1e-14, 1.2e-3)), 0, false);
+            List.of(new AtSample(6, 1e-5, NONE, 1e-14, 1e-4), new AtSample(63, 1e-5, NONE, 1e-14, 1.2e-3)), 0, false);
 
     private static Limit limit(double until, double energy, double position) {
         return new Limit("figure8", "leapfrog", 1.0 / 150, until, energy, ANY, position);
@@ -31,8 +32,18 @@ class VerdictTest {
     }
 
     @Test
+    void energy_is_judged_once_per_unit_of_time_as_its_limits_were_measured() {
+        OrbitErrors swinging = new OrbitErrors(List.of(new AtSample(6, 5e-6, 2e-8, 0, 1e-4)), 0, false);
+        List<Limit> limits = List.of(limit(6, 3e-8, 2e-4));
+
+        assertThat(Verdict.of(swinging, limits)).isEqualTo("ok");
+        assertThat(Verdict.swings(swinging, limits)).isTrue();
+        assertThat(Verdict.of(swinging, List.of(limit(6, 1e-8, 2e-4)))).startsWith("outside tolerance: energy");
+    }
+
+    @Test
     void where_nothing_is_asked_a_run_that_loses_its_energy_cannot_follow() {
-        OrbitErrors lost = new OrbitErrors(List.of(new AtSample(6, 30, 0, 700)), 0, false);
+        OrbitErrors lost = new OrbitErrors(List.of(new AtSample(6, 30, NONE, 0, 700)), 0, false);
 
         assertThat(Verdict.of(lost, List.of(limit(6, ANY, ANY)))).isEqualTo("cannot follow");
         assertThat(Verdict.of(RUN, List.of())).isEqualTo("ok");
@@ -40,7 +51,7 @@ class VerdictTest {
 
     @Test
     void a_figure_that_is_no_number_has_failed() {
-        OrbitErrors wrong = new OrbitErrors(List.of(new AtSample(6, Double.NaN, 0, 1)), 0, false);
+        OrbitErrors wrong = new OrbitErrors(List.of(new AtSample(6, NONE, NONE, 0, 1)), 0, false);
 
         assertThat(Verdict.of(wrong, List.of())).startsWith("failed: ");
         assertThat(Verdict.isBad("failed: x")).isTrue();
