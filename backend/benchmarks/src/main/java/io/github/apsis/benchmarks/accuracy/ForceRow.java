@@ -1,5 +1,6 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.engine.math.CompensatedSum;
 import java.util.Arrays;
 import java.util.List;
 
@@ -32,8 +33,8 @@ record ForceRow(
         double[] relative = new double[n];
         double squares = 0;
         double trueSquares = 0;
-        double netX = 0;
-        double netY = 0;
+        var netX = new CompensatedSum(); // plain sums of 10 000 forces are off by more than the forces are
+        var netY = new CompensatedSum();
         double absolute = 0;
         for (int i = 0; i < n; i++) {
             double error = Math.hypot(ax[i] - truth.ax()[i], ay[i] - truth.ay()[i]);
@@ -41,8 +42,8 @@ record ForceRow(
             relative[i] = error / size;
             squares += error * error;
             trueSquares += size * size;
-            netX += truth.m()[i] * ax[i];
-            netY += truth.m()[i] * ay[i];
+            netX.add(truth.m()[i] * ax[i]);
+            netY.add(truth.m()[i] * ay[i]);
             absolute += truth.m()[i] * Math.hypot(ax[i], ay[i]);
         }
         Arrays.sort(relative);
@@ -54,7 +55,7 @@ record ForceRow(
                 relative[Math.min(n - 1, (int) Math.ceil(0.99 * n) - 1)],
                 relative[n - 1],
                 Math.sqrt(squares / trueSquares),
-                Math.hypot(netX, netY) / absolute,
+                Math.hypot(netX.value(), netY.value()) / absolute,
                 millis);
     }
 
