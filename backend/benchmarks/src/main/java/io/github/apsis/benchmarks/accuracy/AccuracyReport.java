@@ -95,11 +95,12 @@ final class AccuracyReport {
         page.paragraph(
                 """
                 How measured: each setting runs twice over. One world is measured at up to 40 000 ticks spread over the run: \
-                `energy_error` and `L_error` are the largest until the end, `position_error` is the largest distance of a body \
-                from its true place at the last sample, each divided by the scale that the case gives. Other worlds are timed: \
+                `L_error` is the largest until the end; so is `energy_error`, which of fixed steps is read once per unit of time, as \
+                the limits were. `position_error` is the largest distance of a body from its true place at the end. Each is divided \
+                by the scale that the case gives. The end is the last moment for which there is a limit, or the last sample. Other worlds are timed: \
                 CPU time of the one thread, best of three after a warm-up, over up to 100 periods, divided by the simulated \
                 time. All methods run in one JVM. REBOUND is timed by its process's CPU time in the same way, and measured in \
-                extended precision at up to 1500 moments.""");
+                extended precision: fixed steps once per unit of time too, the others at up to 1500 moments.""");
         page.paragraph("**" + results.summary() + ".**");
         List<OrbitRow> bad = results.orbits.stream()
                 .filter(row -> Verdict.isBad(row.status()) || row.status().startsWith(Verdict.SKIPPED))
@@ -118,8 +119,8 @@ final class AccuracyReport {
         }
         if (!results.swinging.isEmpty()) {
             page.paragraph(
-                    "Energy limits were measured once per unit of time, and are judged so; `energy_error` in the tables "
-                            + "is the largest of all ticks. It is above the limit between whole units, and below it at them, for "
+                    "The energy of a symplectic method swings within a unit of time, and returns. Between the whole units at "
+                            + "which it is read and limited it is above its limit for "
                             + String.join("; ", results.swinging) + ".");
         }
         if (!results.contacts.isEmpty()) {

@@ -120,7 +120,10 @@ public final class AccuracyStudy {
         Map<String, Integer> sizes = new HashMap<>();
         folder.orbits().stream().findFirst().ifPresent(this::warmUp);
         for (NBodyCase whole : folder.orbits()) {
-            NBodyCase orbit = options.isShort() ? whole.until(whole.within(SHORT_PERIODS)) : whole;
+            NBodyCase orbit = whole.until(
+                    options.isShort()
+                            ? whole.within(SHORT_PERIODS)
+                            : folder.tolerances().lastOf(whole.id()).orElse(whole.end()));
             sizes.put(orbit.id(), orbit.bodies().size());
             double horizon = orbit.within(TIMED_PERIODS);
             List<Setting> settings = options.ladder().of(orbit);

@@ -14,7 +14,9 @@ import org.jspecify.annotations.Nullable;
  */
 public record Ladder(List<Method> only, @Nullable Double dt, @Nullable Double tolerance, Thoroughness thoroughness) {
     static final double ROOM = 1.0 / 150;
-    private static final double[] TOLERANCES = {1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16};
+    private static final double[] TOLERANCES = {
+        1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16
+    };
     private static final double[] FEW_TOLERANCES = {1e-10, 1e-16};
     private static final int FINEST = -1; // 1/300
     private static final int COARSEST_FOR_ALL = 2; // 1/37.5

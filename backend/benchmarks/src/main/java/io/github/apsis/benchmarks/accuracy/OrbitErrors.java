@@ -17,7 +17,12 @@ record OrbitErrors(List<AtSample> samples, double momentum, boolean bodiesLost) 
      * @param spin largest of angular momentum until then
      * @param position at that moment; NaN when the sample falls between two ticks
      */
-    record AtSample(double time, double energy, double energyOncePerUnit, double spin, double position) {}
+    record AtSample(double time, double energy, double energyOncePerUnit, double spin, double position) {
+        /** The energy error to report: of fixed steps once per unit of time, as the limits were measured; else of all moments. */
+        double energyOf(Method method) {
+            return method == Method.ADAPTIVE || Double.isNaN(energyOncePerUnit) ? energy : energyOncePerUnit;
+        }
+    }
 
     AtSample last() {
         return samples.get(samples.size() - 1);

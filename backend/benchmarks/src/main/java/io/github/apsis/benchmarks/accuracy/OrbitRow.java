@@ -36,7 +36,7 @@ record OrbitRow(
                 setting.dt(),
                 setting.tolerance(),
                 cpu,
-                last.energy(),
+                last.energyOf(setting.method()),
                 last.spin(),
                 last.position(),
                 status);

@@ -5,6 +5,8 @@ import io.github.apsis.engine.WorldSnapshot;
 import io.github.apsis.engine.WorldSpec;
 import io.github.apsis.engine.WorldSpec.Integration;
 import io.github.apsis.engine.body.BodyDef;
+import io.github.apsis.engine.diagnostics.Conserved;
+import io.github.apsis.engine.diagnostics.Drift;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -211,6 +213,7 @@ final class RobustRun {
         int bodies = world.count();
         checkAccelerations(world.snapshot());
         double fastest = Figures.fastest(world.snapshot());
+        Conserved start = world.conserved();
         double worstOverlap = 0;
         int steps = steps();
         for (int done = 0; done < steps; done++) {
@@ -224,6 +227,13 @@ final class RobustRun {
         WorldSnapshot end = world.snapshot();
         requireFinite(end);
         checkEnd(end, worstOverlap);
+        if (world.spec().integration() == Integration.ADAPTIVE) {
+            fact(
+                    "the energy is off by %.1e, points bounced %d times, %.3g of time was lost",
+                    Drift.between(start, world.conserved()).energy().orElse(Double.NaN),
+                    world.pointBounces(),
+                    world.lostTime());
+        }
         if (end.count() < bodies) {
             fact("%d of %d bodies left the world", bodies - end.count(), bodies);
         }
@@ -286,9 +296,11 @@ final class RobustRun {
     }
 
     private void checkSeparation(WorldSnapshot end) {
-        double off = Math.abs(
-                Math.hypot(end.x(1) - end.x(0), end.y(1) - end.y(0)) - input.asked("separation_after_10_periods"));
-        double limit = input.asked("separation_tol_absolute_coordinates");
+        double off = Math.abs(end.distance(0, 1) - input.asked("separation_after_10_periods"));
+        double limit = input.asked(
+                input.asks("separation_tol_local_origin")
+                        ? "separation_tol_local_origin"
+                        : "separation_tol_absolute_coordinates");
         require(off <= limit, "the separation is off by %.1e after %d periods", off, ORBITS);
         fact("the separation is off by %.1e after %d periods", off, ORBITS);
     }

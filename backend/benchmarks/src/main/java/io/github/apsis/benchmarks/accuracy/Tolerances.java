@@ -2,6 +2,7 @@ package io.github.apsis.benchmarks.accuracy;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import tools.jackson.databind.JsonNode;
 
 /** What a good implementation must meet, for each case, method and step. */
@@ -43,6 +44,14 @@ final class Tolerances {
                         Json.number(row, "position", Double.POSITIVE_INFINITY)));
             }
         }
+    }
+
+    /** The last moment for which a case has a limit. */
+    OptionalDouble lastOf(String id) {
+        return limits.stream()
+                .filter(limit -> limit.caseId().equals(id))
+                .mapToDouble(Limit::until)
+                .max();
     }
 
     List<Limit> of(String id, Setting setting) {
