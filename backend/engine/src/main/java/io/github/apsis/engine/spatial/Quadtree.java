@@ -38,7 +38,7 @@ public final class Quadtree {
     private int[] past = new int[16]; // the node behind the subtree
     private int[] first = new int[16]; // the run of items of the node
     private int[] end = new int[16];
-    private int[] leafEnd = new int[16]; // end for a leaf, first for an inner node: what a query must look at itself
+    private int[] leafFirst = new int[16]; // first for a leaf, −1 for an inner node: a query looks at one number there
 
     private int[] found = new int[16];
 
@@ -163,7 +163,7 @@ public final class Quadtree {
 
     private void addChildren(int start, int stop, int depth) {
         int node = openNode(start, stop);
-        leafEnd[node] = start;
+        leafFirst[node] = -1;
         double lowX = Double.POSITIVE_INFINITY;
         double lowY = Double.POSITIVE_INFINITY;
         double highX = Double.NEGATIVE_INFINITY;
@@ -188,7 +188,7 @@ public final class Quadtree {
 
     private void addLeaf(int start, int stop) {
         int node = openNode(start, stop);
-        leafEnd[node] = stop;
+        leafFirst[node] = start;
         boxOfItems(node, start, stop);
         past[node] = nodes;
     }
@@ -237,7 +237,7 @@ public final class Quadtree {
         past = Arrays.copyOf(past, capacity);
         first = Arrays.copyOf(first, capacity);
         end = Arrays.copyOf(end, capacity);
-        leafEnd = Arrays.copyOf(leafEnd, capacity);
+        leafFirst = Arrays.copyOf(leafFirst, capacity);
     }
 
     /**
@@ -257,7 +257,7 @@ public final class Quadtree {
                 node = past[node];
                 continue;
             }
-            for (int p = first[node]; p < leafEnd[node]; p++) {
+            for (int p = leafFirst[node]; p >= 0 && p < end[node]; p++) {
                 int i = item(p);
                 if (minX[i] <= boxMaxX && maxX[i] >= boxMinX && minY[i] <= boxMaxY && maxY[i] >= boxMinY) {
                     if (hits == found.length) {
