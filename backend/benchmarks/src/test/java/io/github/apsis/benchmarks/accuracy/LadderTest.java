@@ -43,8 +43,7 @@ class LadderTest {
 
         assertThat(settings)
                 .extracting(Setting::tolerance)
-                .containsExactly(
-                        1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-16);
+                .containsExactly(1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-16);
         assertThat(settings.subList(0, 12)).allMatch(one -> one.dt() == 1); // its samples are at 1, 3, 6, 63, 300, 633
     }
 

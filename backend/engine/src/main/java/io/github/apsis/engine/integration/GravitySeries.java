@@ -233,7 +233,8 @@ final class GravitySeries {
                 extendPair(i, j, pair, k, ddx, ddy);
             }
         }
-        // A quotient, not a product with 1/((k+1)(k+2)): that one's rounding is the same at every step and takes energy with it,
+        // A quotient, not a product with 1/((k+1)(k+2)): that one's rounding is the same at every step and takes energy
+        // with it,
         // 2.8e-13 over 10 000 periods of the figure-eight in place of 1.3e-14.
         double divisor = (k + 1) * (k + 2);
         for (int i = 0; i < count; i++) {

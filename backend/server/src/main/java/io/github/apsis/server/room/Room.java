@@ -8,6 +8,7 @@ import io.github.apsis.engine.WorldSnapshot;
 import io.github.apsis.engine.WorldSpec;
 import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.body.BodyKind;
+import io.github.apsis.engine.force.GravitySolver;
 import io.github.apsis.engine.math.Vec2;
 import io.github.apsis.scenes.Measures;
 import io.github.apsis.scenes.RandomBodies;
@@ -18,8 +19,8 @@ import io.github.apsis.server.room.Outcome.Refused;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import lombok.extern.slf4j.Slf4j;
@@ -166,9 +167,18 @@ public final class Room {
                 world.time(),
                 pace.get(),
                 world.count(),
-                laws.gravity() > 0 ? "direct" : "none",
-                OptionalDouble.empty(),
+                nameOf(world.gravitySolver()),
+                world.gravitySolver().sampledError(),
                 asked ? Optional.of(conservation.measure(world)) : Optional.empty());
+    }
+
+    private static String nameOf(GravitySolver solver) {
+        return switch (solver.method()) {
+            case NONE -> "none";
+            case DIRECT -> "direct";
+            case TREE -> String.format(Locale.ROOT, "tree, opening %.2f", solver.theta());
+            case NEAREST_IMAGE -> "nearest image";
+        };
     }
 
     private Outcome outcome(ClientId client, Request request) {

@@ -7,8 +7,8 @@ import java.util.OptionalDouble;
  * How a room is doing. Immutable.
  *
  * @param time simulated
- * @param gravitySolver what sums the attraction up: {@code direct}, or {@code none} without attraction
- * @param forceError of that solver, sampled; empty where it is exact
+ * @param gravitySolver what sums the attraction up: {@code direct}, {@code tree, opening 0.55}, {@code nearest image}, or {@code none}
+ * @param forceError of that solver, which nine of ten sampled bodies keep; empty where none is allowed
  * @param conservation empty where the scene does not ask for it, or the room holds too many bodies to measure it in a
  * tick
  */
