@@ -18,6 +18,7 @@ final class FigureEight implements Scene {
     static final double PERIOD = 6.32591398; // s
     private static final double LENGTH = 200; // u
     private static final double MASS = 1000;
+    private static final int MOST_BODIES = 100; // as many pairs as an adaptive tick has time for
     private static final double X = 0.97000436;
     private static final double Y = -0.24308753;
     private static final double VX = -0.93240737;
@@ -54,6 +55,8 @@ final class FigureEight implements Scene {
         return WorldSpec.builder()
                 .gravity(LENGTH * LENGTH * LENGTH / MASS)
                 .contacts(0.8)
+                .adaptive(1e-16)
+                .maxBodies(MOST_BODIES)
                 .seed(seed)
                 .build();
     }

@@ -20,6 +20,7 @@ final class TwoBodies implements Scene {
     static final double PERIOD = 10; // s
     static final double SEMI_MAJOR_AXIS = 200; // u
     static final double ECCENTRICITY = 0.5;
+    private static final int MOST_BODIES = 100; // as many pairs as an adaptive tick has time for
     private static final double HEAVY = 3000;
     private static final double LIGHT = 1000;
     private static final double TOTAL = HEAVY + LIGHT;
@@ -54,7 +55,13 @@ final class TwoBodies implements Scene {
     /** The two never touch; contacts are for what people add. */
     @Override
     public WorldSpec spec(long seed) {
-        return WorldSpec.builder().gravity(G).contacts(0.8).seed(seed).build();
+        return WorldSpec.builder()
+                .gravity(G)
+                .contacts(0.8)
+                .adaptive(1e-16)
+                .maxBodies(MOST_BODIES)
+                .seed(seed)
+                .build();
     }
 
     @Override

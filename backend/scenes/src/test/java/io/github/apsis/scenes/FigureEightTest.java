@@ -18,10 +18,10 @@ class FigureEightTest {
 
         step(TICKS_PER_PERIOD);
 
-        // The period is 0.11 of a tick short of 949, at up to 260 units a second; the rest is Verlet's lag.
+        // The period is 0.11 of a tick short of 949, at up to 260 units a second: 0.19 units.
         for (int i = 0; i < 3; i++) {
-            assertThat(world.snapshot().x(i)).isCloseTo(start.x(i), within(0.5));
-            assertThat(world.snapshot().y(i)).isCloseTo(start.y(i), within(0.5));
+            assertThat(world.snapshot().x(i)).isCloseTo(start.x(i), within(0.2));
+            assertThat(world.snapshot().y(i)).isCloseTo(start.y(i), within(0.2));
         }
     }
 

@@ -29,6 +29,8 @@ final class GravitySeries {
     private final int order;
     private final int stride;
 
+    private final TwoDoubles along = new TwoDoubles();
+    private final TwoDoubles across = new TwoDoubles();
     private double unit = 1; // of time, in which the coefficients are: a power of two
     private int count;
 
@@ -38,11 +40,7 @@ final class GravitySeries {
     private double[] mass = new double[0];
     private boolean[] free = new boolean[0];
     private double[] low = new double[0]; // low parts of x, y, vx, vy and of the second coefficients of x and y
-    private double[] force = new double[0]; // of field and thrust on each body, x and y
-    private boolean outside; // whether anything from outside acts: a field, a thrust, what holds a fixed body
-    private final double[] heldX; // coefficients of the force of gravity on all fixed bodies together
-    private final double[] heldY;
-    private final double[] heldMoment; // and of its moment about the origin
+    private final OutsideImpulses outside;
     private double[] sum = new double[0]; // of the pulls on each body: x, y, and their low parts
 
     // Of pairs: coefficient k of pair p at p · stride + k.
@@ -59,9 +57,7 @@ final class GravitySeries {
         this.fieldY = fieldY;
         this.order = order;
         this.stride = order + 1;
-        this.heldX = new double[order - 1];
-        this.heldY = new double[order - 1];
-        this.heldMoment = new double[order - 1];
+        this.outside = new OutsideImpulses(stride);
     }
 
     int order() {
@@ -85,10 +81,7 @@ final class GravitySeries {
 
     private void begin(Bodies bodies) {
         count = bodies.count();
-        outside = fieldX != 0 || fieldY != 0;
-        Arrays.fill(heldX, 0);
-        Arrays.fill(heldY, 0);
-        Arrays.fill(heldMoment, 0);
+        outside.clear(count);
         if (count * stride > x.length) {
             grow(count);
         }
@@ -104,9 +97,9 @@ final class GravitySeries {
             low[6 * i + 3] = bodies.vyLow(i) * unit;
             mass[i] = bodies.mass(i);
             free[i] = !bodies.isFixed(i);
-            force[2 * i] = free[i] ? mass[i] * fieldX + bodies.thrustX(i) : 0;
-            force[2 * i + 1] = free[i] ? mass[i] * fieldY + bodies.thrustY(i) : 0;
-            outside |= !free[i] || force[2 * i] != 0 || force[2 * i + 1] != 0;
+            if (free[i]) {
+                outside.push(i, mass[i] * fieldX + bodies.thrustX(i), mass[i] * fieldY + bodies.thrustY(i));
+            }
         }
     }
 
@@ -117,7 +110,6 @@ final class GravitySeries {
         mass = new double[bodies];
         free = new boolean[bodies];
         low = new double[6 * bodies];
-        force = new double[2 * bodies];
         sum = new double[4 * bodies];
         dx = new double[pairs * stride];
         dy = new double[pairs * stride];
@@ -183,8 +175,8 @@ final class GravitySeries {
         }
         // One rounding in place of six: the same pull in all orders, wrong by half a bit, keeps energy three times
         // better.
-        double d2Low = lostSum(xx, yy, xxyy)
-                + lostSum(xxyy, softeningSquared, d2)
+        double d2Low = TwoDoubles.lost(xx, yy, xxyy)
+                + TwoDoubles.lost(xxyy, softeningSquared, d2)
                 + (Math.fma(ddx, ddx, -xx) + Math.fma(ddy, ddy, -yy));
         double rootLow = (Math.fma(-root, root, d2) + d2Low) / (2 * root);
         double d3Low = Math.fma(d2, root, -d3) + d2 * rootLow + d2Low * root;
@@ -205,16 +197,10 @@ final class GravitySeries {
         double py = m * fy;
         double sx = sum[at] + px;
         double sy = sum[at + 1] + py;
-        sum[at + 2] += lostSum(sum[at], px, sx) + (Math.fma(m, fx, -px) + m * fxl);
-        sum[at + 3] += lostSum(sum[at + 1], py, sy) + (Math.fma(m, fy, -py) + m * fyl);
+        sum[at + 2] += TwoDoubles.lost(sum[at], px, sx) + (Math.fma(m, fx, -px) + m * fxl);
+        sum[at + 3] += TwoDoubles.lost(sum[at + 1], py, sy) + (Math.fma(m, fy, -py) + m * fyl);
         sum[at] = sx;
         sum[at + 1] = sy;
-    }
-
-    /** What a + b has lost when it was rounded to sum (Knuth's two-sum). */
-    private static double lostSum(double a, double b, double sum) {
-        double taken = sum - a;
-        return (a - (sum - taken)) + (b - taken);
     }
 
     // --- the coefficients behind it ---
@@ -247,9 +233,7 @@ final class GravitySeries {
         x[i * stride + k + 2] = free[i] ? ax / divisor : 0;
         y[i * stride + k + 2] = free[i] ? ay / divisor : 0;
         if (!free[i]) {
-            heldX[k] += mass[i] * ax;
-            heldY[k] += mass[i] * ay;
-            heldMoment[k] += mass[i] * (x[i * stride] * ay - y[i * stride] * ax);
+            outside.hold(k, mass[i] * ax, mass[i] * ay, x[i * stride], y[i * stride]);
         }
     }
 
@@ -343,39 +327,9 @@ final class GravitySeries {
         return Math.scalb(1 + part * (0.6565 + 0.3435 * part), (int) whole);
     }
 
-    // --- what comes from outside ---
-
     /** Books the impulses of fields, of thrust and of what holds fixed bodies, and their moments, between two times. */
     void bookOutside(Ledger ledger, double from, double to) {
-        if (!outside) {
-            return;
-        }
-        double t0 = from / unit;
-        double t1 = to / unit;
-        double px = -(integral(heldX, 0, order - 1, t1) - integral(heldX, 0, order - 1, t0)) / unit;
-        double py = -(integral(heldY, 0, order - 1, t1) - integral(heldY, 0, order - 1, t0)) / unit;
-        double moment = -(integral(heldMoment, 0, order - 1, t1) - integral(heldMoment, 0, order - 1, t0)) / unit;
-        for (int i = 0; i < count; i++) {
-            double fx = force[2 * i];
-            double fy = force[2 * i + 1];
-            if (fx != 0 || fy != 0) {
-                px += fx * (to - from);
-                py += fy * (to - from);
-                double pathX = integral(x, i * stride, stride, t1) - integral(x, i * stride, stride, t0);
-                double pathY = integral(y, i * stride, stride, t1) - integral(y, i * stride, stride, t0);
-                moment += (pathX * fy - pathY * fx) * unit;
-            }
-        }
-        ledger.bookMomentum(px, py);
-        ledger.bookAngularMomentum(moment);
-    }
-
-    private static double integral(double[] coefficients, int at, int terms, double t) {
-        double integral = 0;
-        for (int k = terms - 1; k >= 0; k--) {
-            integral = integral * t + coefficients[at + k] / (k + 1);
-        }
-        return integral * t;
+        outside.book(ledger, x, y, from, to, unit);
     }
 
     /**
@@ -449,34 +403,11 @@ final class GravitySeries {
         double lowY = low[6 * i + 1] + t * (low[6 * i + 3] + t * (low[6 * i + 5] + t * py));
         double lowVx = low[6 * i + 2] + t * (2 * low[6 * i + 4] + t * vx);
         double lowVy = low[6 * i + 3] + t * (2 * low[6 * i + 5] + t * vy);
-        placeX.set(x[at], t, x[at + 1], t2, x[at + 2], lowX);
-        placeY.set(y[at], t, y[at + 1], t2, y[at + 2], lowY);
-        bodies.place(i, placeX.high, placeX.low, placeY.high, placeY.low);
-        placeX.set(x[at + 1], t, 2 * x[at + 2], 0, 0, lowVx);
-        placeY.set(y[at + 1], t, 2 * y[at + 2], 0, 0, lowVy);
-        bodies.setVelocity(i, placeX.high / unit, placeX.low / unit, placeY.high / unit, placeY.low / unit);
-    }
-
-    private final TwoDoubles placeX = new TwoDoubles();
-    private final TwoDoubles placeY = new TwoDoubles();
-
-    /** A sum carried in two doubles. */
-    private static final class TwoDoubles {
-        private double high;
-        private double low;
-
-        /** start + t · first + t² · second + rest, the products exactly. */
-        void set(double start, double t, double first, double t2, double second, double rest) {
-            double p = t * first;
-            double q = t2 * second;
-            double products = Math.fma(t, first, -p) + Math.fma(t2, second, -q) + Math.fma(t, t, -t2) * second;
-            double a = start + p;
-            double b = a + q;
-            double lost = lostSum(start, p, a) + lostSum(a, q, b) + products;
-            double c = b + rest;
-            lost += lostSum(b, rest, c);
-            high = c + lost;
-            low = lost - (high - c);
-        }
+        along.set(x[at], t, x[at + 1], t2, x[at + 2], lowX);
+        across.set(y[at], t, y[at + 1], t2, y[at + 2], lowY);
+        bodies.place(i, along.high(), along.low(), across.high(), across.low());
+        along.set(x[at + 1], t, 2 * x[at + 2], 0, 0, lowVx);
+        across.set(y[at + 1], t, 2 * y[at + 2], 0, 0, lowVy);
+        bodies.setVelocity(i, along.high() / unit, along.low() / unit, across.high() / unit, across.low() / unit);
     }
 }

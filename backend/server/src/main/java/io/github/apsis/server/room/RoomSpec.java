@@ -8,7 +8,7 @@ import io.github.apsis.scenes.Scene;
  * @param id names the room
  * @param seed of the scene and of the random bodies
  * @param framesPerSecond divides {@link TickLoop#TICKS_PER_SECOND}
- * @param maxBodies beyond which nobody can add one
+ * @param maxBodies beyond which nobody can add one; no more than the scene can bear
  */
 public record RoomSpec(String id, Scene scene, long seed, int framesPerSecond, int maxBodies) {
     public RoomSpec {
@@ -19,5 +19,6 @@ public record RoomSpec(String id, Scene scene, long seed, int framesPerSecond, i
         if (maxBodies < 1) {
             throw new IllegalArgumentException("a room must hold at least one body, maxBodies was " + maxBodies);
         }
+        maxBodies = Math.min(maxBodies, scene.spec(seed).maxBodies());
     }
 }
