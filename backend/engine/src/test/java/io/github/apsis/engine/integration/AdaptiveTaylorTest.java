@@ -47,6 +47,37 @@ class AdaptiveTaylorTest {
         return orbit.samples().get(4).positionError(world.snapshot());
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "kepler-e05-equal, 628, 6e-13",
+        "kepler-e09-equal, 628, 7e-12",
+        "kepler-e099-equal, 628, 5e-11",
+        "figure8, 633, 5e-12",
+        "outer-solar, 1000, 2e-12",
+        "triple-moon, 300, 2.8e-8",
+        "pythagorean, 50, 2e-5",
+        "pythagorean, 60, 1e-3",
+        "pythagorean, 70, 2e-2",
+    })
+    void it_ends_no_farther_from_the_truth_than_ias15(String id, double time, double ias15) {
+        ReferenceCase orbit = ReferenceCase.of(id);
+        World world = orbit.world(WorldSpec.builder()
+                .gravity(orbit.number("G"))
+                .adaptive(1e-16)
+                .dt(1)
+                .build());
+        ReferenceCase.run(world, (long) time);
+
+        ReferenceCase.Sample truth = orbit.samples().stream()
+                .filter(sample -> sample.time() == time)
+                .findFirst()
+                .orElseThrow();
+
+        // What REBOUND's IAS15 at its default was measured to reach on the same case.
+        assertThat(truth.positionError(world.snapshot()) / orbit.number("length_scale"))
+                .isLessThan(ias15);
+    }
+
     @Test
     void ticks_are_read_off_the_path_whatever_their_length() {
         ReferenceCase orbit = ReferenceCase.of("figure8");

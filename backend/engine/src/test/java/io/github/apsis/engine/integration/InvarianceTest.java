@@ -203,7 +203,7 @@ class InvarianceTest {
                         "f1b5de6552e5fffc",
                         "3630e161db68d077",
                         "2322e5eccc4b4384",
-                        "ec22e61ca4433a28",
+                        "bfb6d5904bc4dfc6",
                         "ced0b068cb442bc7");
     }
 }
