@@ -53,12 +53,11 @@ public final class AdaptiveTaylor implements Integrator {
      * @param tolerance error of a step relative to each separation, 1e-16 to 1e-2
      */
     public AdaptiveTaylor(double g, double softening, double fieldX, double fieldY, double tolerance) {
-        // Shorter steps are more steps, and their errors add up: the power lets the error of a run fall faster than the
+        // Shorter steps are more steps, and their errors add up: with the power, a run's error falls faster than the
         // tolerance.
         this.share = StrictMath.pow(tolerance, 1.2);
-        // Rounding grows with the root of the steps' length: at the finest tolerance no step turns a pair by more than
-        // a
-        // fourteenth. Coarser ones need not care.
+        // Rounding grows with the root of a step's length: at the finest tolerance no step turns a pair by more than a
+        // fourteenth of a revolution. Coarser ones need not care.
         this.mostBend = 0.1 * StrictMath.pow(share / StrictMath.pow(1e-16, 1.2), 2.0 / ORDER);
         this.series = new GravitySeries(g, softening, fieldX, fieldY, ORDER);
     }
