@@ -59,13 +59,9 @@ public final class World {
         gravity = gravityOf(spec);
         forces = new Forces(lawsOf(gravity, spec));
         steering = steeringOf(spec);
-        adaptive = spec.integration() == WorldSpec.Integration.ADAPTIVE ? adaptiveOf(spec) : null;
-        stepper = new TickStepper(
-                adaptive == null ? integratorOf(spec) : adaptive,
-                forces,
-                spec.restitution(),
-                spec.boundary(),
-                spec.dt());
+        Integrator integrator = integratorOf(spec);
+        adaptive = integrator instanceof AdaptiveTaylor taylor ? taylor : null;
+        stepper = new TickStepper(integrator, forces, spec.restitution(), spec.boundary(), spec.dt());
     }
 
     /**
