@@ -89,11 +89,11 @@ export async function pixelsOf(page: Page, colour: readonly [number, number, num
 }
 
 /** A point of the window where the stage shows nothing but sky and grid, away from the controls along its edges. */
-export async function emptyPoint(page: Page): Promise<{ x: number; y: number }> {
+export async function emptyPoint(page: Page, from = 0.25, to = 0.75): Promise<{ x: number; y: number }> {
   const box = (await stage(page).boundingBox())!;
   const { data, width, height } = await pixels(page);
   for (let y = Math.round(0.3 * height); y < 0.7 * height; y += 20) {
-    for (let x = Math.round(0.25 * width); x < 0.75 * width; x += 20) {
+    for (let x = Math.round(from * width); x < to * width; x += 20) {
       if (isEmpty(data, width, x, y)) return { x: box.x + x, y: box.y + y };
     }
   }
