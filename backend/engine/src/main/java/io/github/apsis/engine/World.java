@@ -9,6 +9,7 @@ import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.body.Ledger;
 import io.github.apsis.engine.collision.Boundary;
+import io.github.apsis.engine.collision.ContactListener;
 import io.github.apsis.engine.diagnostics.Conserved;
 import io.github.apsis.engine.diagnostics.ForceError;
 import io.github.apsis.engine.diagnostics.Resolution;
@@ -77,13 +78,18 @@ public final class World {
             }
             adaptGravity();
             decide();
-            stepper.step(bodies);
+            stepper.step(bodies, time());
         }
         tick++;
         if (!bodies.areWithinNumbers()) {
             requireNumbers();
             letGo();
         }
+    }
+
+    /** Tells a listener of every bounce from now on; there is one listener, the last. */
+    public void onBounce(ContactListener listener) {
+        stepper.onBounce(listener);
     }
 
     private void decide() {

@@ -1,6 +1,7 @@
 package io.github.apsis.engine;
 
 import io.github.apsis.engine.collision.Boundary;
+import io.github.apsis.engine.collision.Boundary.HalfPlane;
 import io.github.apsis.engine.force.ForceLaw;
 import io.github.apsis.engine.force.UniformField;
 import io.github.apsis.engine.integration.AdaptiveTaylor;
@@ -234,6 +235,12 @@ public final class WorldSpec {
         /** Four reflecting walls. */
         public Builder walls(Aabb box, double wallRestitution) {
             this.boundary = new Boundary.Walls(box, wallRestitution);
+            return this;
+        }
+
+        /** Reflecting walls in any direction, for example a floor. */
+        public Builder halfPlanes(List<HalfPlane> insides, double wallRestitution) {
+            this.boundary = new Boundary.HalfPlanes(insides, wallRestitution);
             return this;
         }
 

@@ -1,11 +1,17 @@
 package io.github.apsis.engine.collision;
 
 import io.github.apsis.engine.math.Aabb;
+import java.util.List;
 
 /** The edge of a world. */
 public sealed interface Boundary {
     /** Whether a circle may be put there: finite, and not beyond the edge. */
     boolean holds(double x, double y, double radius);
+
+    /** Whether there is something to bounce off. */
+    static boolean hasWalls(Boundary boundary) {
+        return boundary instanceof Walls || boundary instanceof HalfPlanes;
+    }
 
     /** No edge. */
     record Open() implements Boundary {
@@ -23,14 +29,57 @@ public sealed interface Boundary {
      */
     record Walls(Aabb box, double restitution) implements Boundary {
         public Walls {
-            if (!(restitution >= 0 && restitution <= 1)) {
-                throw new IllegalArgumentException("wall restitution must be 0 to 1, was " + restitution);
-            }
+            requireRestitution(restitution);
         }
 
         @Override
         public boolean holds(double x, double y, double radius) {
             return box.contains(x - radius, y - radius) && box.contains(x + radius, y + radius);
+        }
+    }
+
+    /**
+     * Reflecting walls in any direction: a floor, a slope, a wedge.
+     *
+     * @param insides what is left of the plane by each wall
+     * @param restitution share of the normal speed that is left after a bounce, 0 to 1
+     */
+    record HalfPlanes(List<HalfPlane> insides, double restitution) implements Boundary {
+        public HalfPlanes {
+            insides = List.copyOf(insides);
+            requireRestitution(restitution);
+        }
+
+        @Override
+        public boolean holds(double x, double y, double radius) {
+            return Double.isFinite(x)
+                    && Double.isFinite(y)
+                    && insides.stream().allMatch(p -> p.nx() * x + p.ny() * y - p.d() >= radius);
+        }
+    }
+
+    /**
+     * The points with nx · x + ny · y ≥ d.
+     *
+     * @param nx of the unit normal, which points inwards
+     * @param d distance of the wall from the origin along its normal, length
+     */
+    record HalfPlane(double nx, double ny, double d) {
+        private static final double UNIT = 1e-9; // what may be lost in writing a normal down
+
+        public HalfPlane {
+            if (!(Math.abs(Math.hypot(nx, ny) - 1) <= UNIT)) {
+                throw new IllegalArgumentException("normal must have length 1, was (" + nx + ", " + ny + ")");
+            }
+            if (!Double.isFinite(d)) {
+                throw new IllegalArgumentException("d must be finite, was " + d);
+            }
+        }
+    }
+
+    private static void requireRestitution(double restitution) {
+        if (!(restitution >= 0 && restitution <= 1)) {
+            throw new IllegalArgumentException("wall restitution must be 0 to 1, was " + restitution);
         }
     }
 

@@ -24,10 +24,10 @@ final class ContactGeometry {
 
     /** Fills in the geometry of the partners at the given places. */
     void fill(Bodies bodies, int a, double xa, double ya, int b, double xb, double yb) {
-        if (b < 0) {
-            nx = -WallSet.normalX(b);
-            ny = -WallSet.normalY(b);
-            gap = walls == null ? 0 : walls.gap(b, xa, ya, bodies.radius(a));
+        if (b < 0 && walls != null) {
+            nx = -walls.normalX(b);
+            ny = -walls.normalY(b);
+            gap = walls.gap(b, xa, ya, bodies.radius(a));
             inverseMass = bodies.inverseMass(a);
             return;
         }

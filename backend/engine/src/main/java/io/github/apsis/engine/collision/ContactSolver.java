@@ -22,8 +22,8 @@ public final class ContactSolver {
      * @param boundary whose walls, if it has any, are hit as well
      */
     public ContactSolver(OptionalDouble restitution, Boundary boundary) {
-        var walls = boundary instanceof Boundary.Walls w ? new WallSet(w.box()) : null;
-        double wallRestitution = boundary instanceof Boundary.Walls w ? w.restitution() : 0;
+        var walls = WallSet.of(boundary);
+        double wallRestitution = wallRestitution(boundary);
         var period = boundary instanceof Boundary.Periodic p ? new Period(p.box()) : null;
         var broadPhase = restitution.isPresent() ? new BroadPhase(period) : null;
         var touching = new Touching();
@@ -32,9 +32,22 @@ public final class ContactSolver {
         stop = walls == null ? null : new WallStop(walls);
     }
 
-    /** Remembers where the paths of this tick begin. */
-    public void begin(Bodies bodies, double dt) {
+    private static double wallRestitution(Boundary boundary) {
+        if (boundary instanceof Boundary.HalfPlanes halfPlanes) {
+            return halfPlanes.restitution();
+        }
+        return boundary instanceof Boundary.Walls walls ? walls.restitution() : 0;
+    }
+
+    /** Tells a listener of every bounce from now on. */
+    public void onBounce(ContactListener listener) {
+        impacts.onBounce(listener);
+    }
+
+    /** Remembers where the paths of a tick begin, which is at this time since the world began. */
+    public void begin(Bodies bodies, double time, double dt) {
         paths.begin(bodies, dt);
+        impacts.begin(time);
     }
 
     /** Bends the paths at every contact. */

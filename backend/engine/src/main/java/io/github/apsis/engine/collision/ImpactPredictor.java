@@ -132,14 +132,14 @@ final class ImpactPredictor {
         }
         double t0 = paths.startTime(i);
         double r = bodies.radius(i);
-        for (int wall = WallSet.LEFT; wall >= WallSet.TOP; wall--) {
+        for (int wall = -1; wall > walls.end(); wall--) {
             double gap0 = walls.gap(wall, paths.startX(i), paths.startY(i), r);
             double gap1 = walls.gap(wall, bodies.x(i), bodies.y(i), r);
             if (gap1 > 0) {
                 continue;
             }
-            double inwards = Paths.accelerationX(bodies, i) * WallSet.normalX(wall)
-                    + Paths.accelerationY(bodies, i) * WallSet.normalY(wall);
+            double inwards = Paths.accelerationX(bodies, i) * walls.normalX(wall)
+                    + Paths.accelerationY(bodies, i) * walls.normalY(wall);
             double t = TimeOfImpact.ofWall(gap0, gap1, inwards, t0, paths.dt());
             enqueue(bodies, i, wall, t);
         }

@@ -24,6 +24,8 @@ final class Impacts {
     private final Approach approach;
     private final ImpactQueue queue = new ImpactQueue();
     private final ImpactPredictor predictor;
+    private @Nullable ContactListener listener;
+    private double start; // of the tick, time since the world began
 
     Impacts(
             double restitution,
@@ -39,6 +41,15 @@ final class Impacts {
         this.approach = new Approach(paths, new ContactGeometry(walls, period));
         this.predictor = new ImpactPredictor(
                 broadPhase, walls, period, paths, approach, queue, touching, 2 * MOST_BOUNCES_PER_BODY);
+    }
+
+    void onBounce(ContactListener newListener) {
+        listener = newListener;
+    }
+
+    /** Remembers when a tick begins. */
+    void begin(double time) {
+        start = time;
     }
 
     /** Resolves all bounces of the tick; fills the list of contacts at rest. */
@@ -62,6 +73,10 @@ final class Impacts {
         boolean collapsed = paths.mostImpacts(a, b) >= MOST_BOUNCES_PER_BODY;
         double e = collapsed ? 0 : b < 0 ? wallRestitution : restitution;
         double impulse = (1 + e) * approach.closingSpeed() / contact.inverseMass;
+        if (listener != null) {
+            long second = b < 0 ? b : bodies.idValue(b);
+            listener.bounced(start + t, bodies.idValue(a), second, approach.closingSpeed(), impulse);
+        }
         bookWork(bodies, a, b, t, impulse);
         double px = impulse * contact.nx;
         double py = impulse * contact.ny;

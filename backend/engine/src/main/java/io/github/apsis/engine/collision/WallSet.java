@@ -1,45 +1,61 @@
 package io.github.apsis.engine.collision;
 
 import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.collision.Boundary.HalfPlane;
 import io.github.apsis.engine.math.Aabb;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
 
-/** The four sides of a box as partners in a contact, numbered −1 to −4; a normal points inwards. */
+/** Straight walls as partners in a contact, numbered −1, −2, … in the order of their boundary; a normal points inwards. */
 final class WallSet {
-    static final int LEFT = -1;
-    static final int RIGHT = -2;
-    static final int BOTTOM = -3;
-    static final int TOP = -4;
+    private final double[] nx;
+    private final double[] ny;
+    private final double[] offset;
 
-    private final Aabb box;
-
-    WallSet(Aabb box) {
-        this.box = box;
+    private WallSet(List<HalfPlane> insides) {
+        nx = insides.stream().mapToDouble(HalfPlane::nx).toArray();
+        ny = insides.stream().mapToDouble(HalfPlane::ny).toArray();
+        offset = insides.stream().mapToDouble(HalfPlane::d).toArray();
     }
 
-    static double normalX(int wall) {
-        return wall == LEFT ? 1 : wall == RIGHT ? -1 : 0;
+    /** The walls of a boundary, or null when it has none. */
+    static @Nullable WallSet of(Boundary boundary) {
+        if (boundary instanceof Boundary.Walls walls) {
+            Aabb box = walls.box();
+            return new WallSet(List.of(
+                    new HalfPlane(1, 0, box.minX()),
+                    new HalfPlane(-1, 0, -box.maxX()),
+                    new HalfPlane(0, 1, box.minY()),
+                    new HalfPlane(0, -1, -box.maxY())));
+        }
+        return boundary instanceof Boundary.HalfPlanes halfPlanes ? new WallSet(halfPlanes.insides()) : null;
     }
 
-    static double normalY(int wall) {
-        return wall == BOTTOM ? 1 : wall == TOP ? -1 : 0;
+    /** The number of the wall after the last: walls are counted down from −1. */
+    int end() {
+        return -1 - nx.length;
+    }
+
+    double normalX(int wall) {
+        return nx[-1 - wall];
+    }
+
+    double normalY(int wall) {
+        return ny[-1 - wall];
     }
 
     /** Distance from the rim of a circle at (x, y) to a wall; negative beyond it. */
     double gap(int wall, double x, double y, double radius) {
-        return switch (wall) {
-            case LEFT -> x - box.minX() - radius;
-            case RIGHT -> box.maxX() - x - radius;
-            case BOTTOM -> y - box.minY() - radius;
-            default -> box.maxY() - y - radius;
-        };
+        int k = -1 - wall;
+        return nx[k] * x + ny[k] * y - offset[k] - radius;
     }
 
     /** Whether a body ends its path inside, clear of all walls: by far the usual case, and the path of a tick is short. */
     boolean contains(Bodies bodies, int i) {
-        double r = bodies.radius(i);
-        return bodies.x(i) - r > box.minX()
-                && bodies.x(i) + r < box.maxX()
-                && bodies.y(i) - r > box.minY()
-                && bodies.y(i) + r < box.maxY();
+        boolean clear = true;
+        for (int k = 0; k < nx.length; k++) {
+            clear &= nx[k] * bodies.x(i) + ny[k] * bodies.y(i) - offset[k] > bodies.radius(i);
+        }
+        return clear;
     }
 }

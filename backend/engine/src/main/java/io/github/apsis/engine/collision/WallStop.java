@@ -19,7 +19,7 @@ final class WallStop {
             if (walls.contains(bodies, i) || bodies.isFixed(i)) {
                 continue;
             }
-            for (int wall = WallSet.LEFT; wall >= WallSet.TOP; wall--) {
+            for (int wall = -1; wall > walls.end(); wall--) {
                 double gap = walls.gap(wall, bodies.x(i), bodies.y(i), bodies.radius(i));
                 if (gap < -bodies.radius(i)) {
                     stop(bodies, i, wall, gap, 0.5 * dt);
@@ -28,9 +28,9 @@ final class WallStop {
         }
     }
 
-    private static void stop(Bodies bodies, int i, int wall, double gap, double untilEnd) {
-        double nx = WallSet.normalX(wall);
-        double ny = WallSet.normalY(wall);
+    private void stop(Bodies bodies, int i, int wall, double gap, double untilEnd) {
+        double nx = walls.normalX(wall);
+        double ny = walls.normalY(wall);
         double m = bodies.mass(i);
         double an = bodies.ax(i) * nx + bodies.ay(i) * ny;
         bodies.ledger().bookEnergy(m * gap * an); // moved by −gap against the forces

@@ -2,6 +2,7 @@ package io.github.apsis.engine.stepping;
 
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.collision.Boundary;
+import io.github.apsis.engine.collision.ContactListener;
 import io.github.apsis.engine.collision.ContactSolver;
 import io.github.apsis.engine.force.Forces;
 import io.github.apsis.engine.integration.Chord;
@@ -23,7 +24,7 @@ public final class TickStepper {
     public TickStepper(Integrator integrator, Forces forces, OptionalDouble restitution, Boundary boundary, double dt) {
         this.integrator = integrator;
         this.forces = forces;
-        this.contacts = restitution.isPresent() || boundary instanceof Boundary.Walls
+        this.contacts = restitution.isPresent() || Boundary.hasWalls(boundary)
                 ? new ContactSolver(restitution, boundary)
                 : null;
         this.path = pathOf(integrator, contacts != null || boundary instanceof Boundary.Periodic);
@@ -39,18 +40,26 @@ public final class TickStepper {
         return needed ? new Chord(integrator) : null;
     }
 
-    public void step(Bodies bodies) {
+    /** Tells a listener of every bounce from now on. */
+    public void onBounce(ContactListener listener) {
+        if (contacts != null) {
+            contacts.onBounce(listener);
+        }
+    }
+
+    /** Advances by a tick that begins at this time since the world began. */
+    public void step(Bodies bodies, double time) {
         if (path == null) {
             integrator.advance(bodies, forces, dt);
             bodies.keepFinite();
         } else {
-            stepAlong(path, bodies);
+            stepAlong(path, bodies, time);
         }
     }
 
-    private void stepAlong(PathIntegrator drawn, Bodies bodies) {
+    private void stepAlong(PathIntegrator drawn, Bodies bodies, double time) {
         if (contacts != null) {
-            contacts.begin(bodies, dt);
+            contacts.begin(bodies, time, dt);
         }
         drawn.move(bodies, forces, dt);
         bodies.keepFinite();
