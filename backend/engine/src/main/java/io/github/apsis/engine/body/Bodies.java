@@ -32,6 +32,7 @@ public final class Bodies {
     private long lastId;
     private boolean accelerationsCurrent;
     private long revision;
+    private long removals;
     private final Ledger ledger = new Ledger();
     private double outsideX; // force on all free bodies from fields and from what is fixed, mass · length / time²
     private double outsideY;
@@ -134,6 +135,12 @@ public final class Bodies {
                 .toArray();
         accelerationsCurrent = false;
         revision++;
+        removals++;
+    }
+
+    /** How many bodies have been removed: when it grows, slots mean other bodies. */
+    public long removals() {
+        return removals;
     }
 
     private double[][] columns() {

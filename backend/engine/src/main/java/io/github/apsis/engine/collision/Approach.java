@@ -9,11 +9,13 @@ final class Approach {
 
     private final Paths paths;
     private final ContactGeometry contact;
+    private final Touching touching;
     private double closingSpeed; // length / time, negative when they separate
 
-    Approach(Paths paths, ContactGeometry contact) {
+    Approach(Paths paths, ContactGeometry contact, Touching touching) {
         this.paths = paths;
         this.contact = contact;
+        this.touching = touching;
     }
 
     /** Fills in normal, gap and closing speed of a body and its partner, a body or a wall, at time t. */
@@ -34,10 +36,23 @@ final class Approach {
         return closingSpeed;
     }
 
-    /** Whether the partners close no faster than the forces push them together in two ticks: that is rest, not a bounce. */
+    /**
+     * Whether the partners close no faster than the forces push them together in two ticks: that is rest, not a bounce. Two
+     * bodies that fall side by side are not pushed together; one that lies on something is, by all that lies on it.
+     */
     boolean isGentle(Bodies bodies, int a, int b) {
-        double pressedPerTick = Math.max(0, -contact.separatingAcceleration(bodies, a, b)) * paths.dt();
-        return closingSpeed <= 2 * pressedPerTick + ROUNDING * speeds(bodies, a, b);
+        return isGentle(bodies, a, b, contact, closingSpeed);
+    }
+
+    /** The same of two partners as they are at the end of a tick. */
+    boolean isGentleNow(Bodies bodies, int a, int b, ContactGeometry now) {
+        return isGentle(bodies, a, b, now, now.closingSpeed(bodies, a, b));
+    }
+
+    private boolean isGentle(Bodies bodies, int a, int b, ContactGeometry at, double closing) {
+        boolean supported = touching.isSupported(a) || b >= 0 && touching.isSupported(b);
+        double pressing = supported ? Paths.acceleration(bodies, a, b) : -at.separatingAcceleration(bodies, a, b);
+        return closing <= 2 * Math.max(0, pressing) * paths.dt() + ROUNDING * speeds(bodies, a, b);
     }
 
     private static double speeds(Bodies bodies, int a, int b) {

@@ -35,13 +35,19 @@ final class BroadPhase {
         tree.build();
     }
 
+    /** Tells the tree that the path of a body has been bent. */
+    void update(Bodies bodies, Paths paths, int i) {
+        sweep(bodies, paths, i);
+        tree.enlarge(i, boxMinX, boxMinY, boxMaxX, boxMaxY);
+    }
+
     private void sweep(Bodies bodies, Paths paths, int i) {
         double length = paths.dt() - paths.startTime(i);
-        // A parabola leaves its chord by a T²/8 at most.
-        double bulgeX = Math.abs(Paths.accelerationX(bodies, i)) * length * length / 8;
-        double bulgeY = Math.abs(Paths.accelerationY(bodies, i)) * length * length / 8;
-        double reachX = bodies.radius(i) + bulgeX;
-        double reachY = bodies.radius(i) + bulgeY;
+        // A parabola leaves its chord by a T²/8 at most; a body that is stopped by another is a T² from where it would
+        // be.
+        double bulge = length * length / 8 + paths.dt() * paths.dt();
+        double reachX = bodies.radius(i) + Math.abs(Paths.accelerationX(bodies, i)) * bulge;
+        double reachY = bodies.radius(i) + Math.abs(Paths.accelerationY(bodies, i)) * bulge;
         boxMinX = Math.min(paths.startX(i), bodies.x(i)) - reachX;
         boxMinY = Math.min(paths.startY(i), bodies.y(i)) - reachY;
         boxMaxX = Math.max(paths.startX(i), bodies.x(i)) + reachX;
@@ -49,7 +55,7 @@ final class BroadPhase {
     }
 
     /**
-     * Finds the bodies, in a fixed order, whose original paths may touch the present path of body {@code i}; itself is among
+     * Finds the bodies, in a fixed order, whose paths may touch the present path of body {@code i}; itself is among
      * them. In a periodic world also across the seam.
      *
      * @return how many; {@link #near} gives them until the next call

@@ -52,6 +52,13 @@ final class ContactGeometry {
         fill(bodies, a, bodies.x(a), bodies.y(a), b, xb, yb);
     }
 
+    /** How fast the partners close at their present velocities; negative when they separate. */
+    double closingSpeed(Bodies bodies, int a, int b) {
+        double wx = (b < 0 ? 0 : bodies.vx(b)) - bodies.vx(a);
+        double wy = (b < 0 ? 0 : bodies.vy(b)) - bodies.vy(a);
+        return -(wx * nx + wy * ny);
+    }
+
     /** The acceleration with which the partners separate along the normal. */
     double separatingAcceleration(Bodies bodies, int a, int b) {
         double bx = -Paths.accelerationX(bodies, a);

@@ -27,8 +27,10 @@ public final class ContactSolver {
         var period = boundary instanceof Boundary.Periodic p ? new Period(p.box()) : null;
         var broadPhase = restitution.isPresent() ? new BroadPhase(period) : null;
         var touching = new Touching();
-        impacts = new Impacts(restitution.orElse(0), wallRestitution, broadPhase, walls, period, paths, touching);
-        resting = new RestingContacts(touching, walls, period);
+        var approach = new Approach(paths, new ContactGeometry(walls, period), touching);
+        impacts = new Impacts(
+                restitution.orElse(0), wallRestitution, broadPhase, walls, period, paths, approach, touching);
+        resting = new RestingContacts(touching, approach, walls, period);
         stop = walls == null ? null : new WallStop(walls);
     }
 

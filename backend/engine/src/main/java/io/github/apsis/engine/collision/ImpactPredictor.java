@@ -2,7 +2,6 @@ package io.github.apsis.engine.collision;
 
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.math.Period;
-import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,9 +17,6 @@ final class ImpactPredictor {
     private final ImpactQueue queue;
     private final Touching touching;
     private final int mostImpacts; // of one body in a tick; what comes after is at rest
-
-    private int bentCount;
-    private int[] bent = new int[16]; // bodies whose path is no longer the one in the tree
 
     ImpactPredictor(
             @Nullable BroadPhase broadPhase,
@@ -44,8 +40,7 @@ final class ImpactPredictor {
     /** Looks along the paths of all bodies, as the integrator has drawn them. */
     void predictAll(Bodies bodies) {
         queue.clear();
-        touching.clear();
-        bentCount = 0;
+        touching.begin(bodies);
         for (int i = 0; i < bodies.count(); i++) {
             predictWalls(bodies, i);
         }
@@ -62,12 +57,11 @@ final class ImpactPredictor {
         }
     }
 
-    /** A path is about to be bent for the first time: from now on the tree is wrong about it. */
-    void forgetPath(int i) {
-        if (bentCount == bent.length) {
-            bent = Arrays.copyOf(bent, 2 * bentCount);
+    /** A path has been bent. */
+    void update(Bodies bodies, int i) {
+        if (broadPhase != null) {
+            broadPhase.update(bodies, paths, i);
         }
-        bent[bentCount++] = i;
     }
 
     /** Looks along the path of one body from its last impact on, for everything but the partner of that impact. */
@@ -82,13 +76,6 @@ final class ImpactPredictor {
         int hits = broadPhase.findNear(bodies, paths, i);
         for (int hit = 0; hit < hits; hit++) {
             int other = broadPhase.near(hit);
-            if (other != i && other != partner && paths.impacts(other) == 0) {
-                predict(bodies, Math.min(i, other), Math.max(i, other));
-            }
-        }
-        // The tree knows bent paths only as they were, so those few are asked one by one.
-        for (int k = 0; k < bentCount; k++) {
-            int other = bent[k];
             if (other != i && other != partner) {
                 predict(bodies, Math.min(i, other), Math.max(i, other));
             }
@@ -98,7 +85,7 @@ final class ImpactPredictor {
     /** Looks whether two bodies meet on their present paths. */
     void predict(Bodies bodies, int a, int b) {
         double sumOfRadii = bodies.radius(a) + bodies.radius(b);
-        if (sumOfRadii == 0) {
+        if (sumOfRadii == 0 || bodies.isFixed(a) && bodies.isFixed(b)) {
             return; // points never touch, and their contact would have no normal
         }
         double t0 = Math.max(paths.startTime(a), paths.startTime(b));
@@ -119,10 +106,12 @@ final class ImpactPredictor {
         double t = TimeOfImpact.ofCircles(d0x, d0y, d1x, d1y, bx, by, t0, paths.dt(), sumOfRadii);
         if (!Double.isNaN(t)) {
             enqueue(bodies, a, b, t);
-        } else if (d1x * d1x + d1y * d1y < sumOfRadii * sumOfRadii) {
-            // Born inside each other, or pressed together: separating, but not yet apart.
-            approach.measure(bodies, a, b, t0);
-            touching.add(a, b, approach.contact());
+        } else {
+            // A neighbour that is stopped in this tick may be run into by one that would have fallen with it.
+            double near = sumOfRadii + Paths.acceleration(bodies, a, b) * paths.dt() * paths.dt();
+            if (d1x * d1x + d1y * d1y < near * near) {
+                rest(bodies, a, b);
+            }
         }
     }
 
@@ -148,14 +137,18 @@ final class ImpactPredictor {
     /** Queues a bounce at time t, or lists a contact at rest; NaN for a body that is beyond a wall and on its way back. */
     private void enqueue(Bodies bodies, int a, int b, double t) {
         approach.measure(bodies, a, b, Double.isNaN(t) ? paths.startTime(a) : t);
-        if (approach.contact().inverseMass == 0) {
-            return; // two fixed bodies
-        }
         boolean isAtRest = Double.isNaN(t) || approach.isGentle(bodies, a, b);
         if (isAtRest || paths.mostImpacts(a, b) >= mostImpacts) {
-            touching.add(a, b, approach.contact());
+            rest(bodies, a, b);
         } else {
             queue.push(t, a, b, paths.impacts(a), paths.impacts(b));
         }
+    }
+
+    /** Lists a contact as it is where the later of the two paths begins. */
+    private void rest(Bodies bodies, int a, int b) {
+        double t = b < 0 ? paths.startTime(a) : Math.max(paths.startTime(a), paths.startTime(b));
+        approach.measure(bodies, a, b, t);
+        touching.add(a, b, approach.contact());
     }
 }

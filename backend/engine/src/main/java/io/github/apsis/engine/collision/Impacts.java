@@ -34,11 +34,12 @@ final class Impacts {
             @Nullable WallSet walls,
             @Nullable Period period,
             Paths paths,
+            Approach approach,
             Touching touching) {
         this.restitution = restitution;
         this.wallRestitution = wallRestitution;
         this.paths = paths;
-        this.approach = new Approach(paths, new ContactGeometry(walls, period));
+        this.approach = approach;
         this.predictor = new ImpactPredictor(
                 broadPhase, walls, period, paths, approach, queue, touching, 2 * MOST_BOUNCES_PER_BODY);
     }
@@ -96,10 +97,8 @@ final class Impacts {
         if (bodies.isFixed(i)) {
             return;
         }
-        if (paths.impacts(i) == 0) {
-            predictor.forgetPath(i);
-        }
         paths.bend(bodies, i, t, px * bodies.inverseMass(i), py * bodies.inverseMass(i));
+        predictor.update(bodies, i);
     }
 
     /**

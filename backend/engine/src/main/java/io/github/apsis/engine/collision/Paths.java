@@ -71,6 +71,19 @@ final class Paths {
         return bodies.ay(i) + bodies.thrustY(i) * bodies.inverseMass(i);
     }
 
+    /** The larger of the accelerations of two partners, of which the second may be a wall. */
+    static double acceleration(Bodies bodies, int a, int b) {
+        double ax = accelerationX(bodies, a);
+        double ay = accelerationY(bodies, a);
+        double larger = ax * ax + ay * ay;
+        if (b >= 0) {
+            ax = accelerationX(bodies, b);
+            ay = accelerationY(bodies, b);
+            larger = Math.max(larger, ax * ax + ay * ay);
+        }
+        return Math.sqrt(larger);
+    }
+
     double xAt(Bodies bodies, int i, double t) {
         return at(startX[i], bodies.x(i), startTime[i], accelerationX(bodies, i), t);
     }
