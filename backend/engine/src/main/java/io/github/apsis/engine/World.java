@@ -73,8 +73,8 @@ public final class World {
      */
     public void step() {
         if (spec.dt() > 0) {
-            if (adaptive != null && !bodies.areWithinNumbers()) {
-                letGo(); // powers of such a speed are beyond a series
+            if ((adaptive != null || stepper.hasContacts()) && !bodies.areWithinNumbers()) {
+                letGo(); // powers of such a speed are beyond a series, and no wall holds it
             }
             adaptGravity();
             decide();

@@ -28,6 +28,24 @@ final class Approach {
         closingSpeed = -(wx * contact.nx + wy * contact.ny);
     }
 
+    /**
+     * The same, with the normal from where an impulse at time t acts in the integrator's own steps: straight back from the end
+     * of the path. With it the two impulses of a contact have no moment, and angular momentum stays; without forces, and where
+     * these act along the line of centres, it is the line of centres itself.
+     */
+    void measureImpact(Bodies bodies, int a, int b, double t) {
+        measure(bodies, a, b, t);
+        if (b >= 0) {
+            double left = paths.dt() - t;
+            contact.turn(
+                    bodies.x(b) - bodies.vx(b) * left - (bodies.x(a) - bodies.vx(a) * left),
+                    bodies.y(b) - bodies.vy(b) * left - (bodies.y(a) - bodies.vy(a) * left));
+            double wx = paths.vxAt(bodies, b, t) - paths.vxAt(bodies, a, t);
+            double wy = paths.vyAt(bodies, b, t) - paths.vyAt(bodies, a, t);
+            closingSpeed = -(wx * contact.nx + wy * contact.ny);
+        }
+    }
+
     ContactGeometry contact() {
         return contact;
     }

@@ -11,6 +11,9 @@ import org.jspecify.annotations.Nullable;
  * sweep, so that nothing fast is overlooked.
  */
 final class BroadPhase {
+    /** Where something is so fast that its path spans more periods, every body is near. */
+    private static final int MOST_IMAGES = 25;
+
     private final Quadtree tree = new Quadtree();
     private final @Nullable Period period;
 
@@ -62,17 +65,33 @@ final class BroadPhase {
      */
     int findNear(Bodies bodies, Paths paths, int i) {
         sweep(bodies, paths, i);
-        int hits = append(0, 0, 0);
-        if (period != null) {
-            for (int column = -1; column <= 1; column++) {
-                for (int row = -1; row <= 1; row++) {
-                    if (column != 0 || row != 0) {
-                        hits = append(hits, column * period.width(), row * period.height());
-                    }
-                }
+        if (period == null) {
+            return append(0, 0, 0);
+        }
+        double firstColumn = Math.ceil((tree.minX() - boxMaxX) / period.width());
+        double lastColumn = Math.floor((tree.maxX() - boxMinX) / period.width());
+        double firstRow = Math.ceil((tree.minY() - boxMaxY) / period.height());
+        double lastRow = Math.floor((tree.maxY() - boxMinY) / period.height());
+        if (!((lastColumn - firstColumn + 1) * (lastRow - firstRow + 1) <= MOST_IMAGES)) {
+            return all(bodies.count());
+        }
+        int hits = 0;
+        for (double column = firstColumn; column <= lastColumn; column++) {
+            for (double row = firstRow; row <= lastRow; row++) {
+                hits = append(hits, column * period.width(), row * period.height());
             }
         }
         return hits;
+    }
+
+    private int all(int count) {
+        if (count > near.length) {
+            near = new int[Math.max(count, 2 * near.length)];
+        }
+        for (int i = 0; i < count; i++) {
+            near[i] = i;
+        }
+        return count;
     }
 
     private int append(int before, double shiftX, double shiftY) {

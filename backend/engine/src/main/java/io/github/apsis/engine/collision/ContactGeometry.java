@@ -38,11 +38,22 @@ final class ContactGeometry {
             dy = period.nearestY(dy);
         }
         double distance = Math.sqrt(dx * dx + dy * dy);
+        turn(dx, dy, distance);
+        gap = distance - bodies.radius(a) - bodies.radius(b);
+        inverseMass = bodies.inverseMass(a) + bodies.inverseMass(b);
+    }
+
+    private void turn(double dx, double dy, double distance) {
         // Coincident centres have no line between them: the x axis is as good as any, and always the same.
         nx = distance > 0 ? dx / distance : 1;
         ny = distance > 0 ? dy / distance : 0;
-        gap = distance - bodies.radius(a) - bodies.radius(b);
-        inverseMass = bodies.inverseMass(a) + bodies.inverseMass(b);
+    }
+
+    /** Replaces the normal by the direction of another separation, or of its nearest image. */
+    void turn(double separationX, double separationY) {
+        double dx = period == null ? separationX : period.nearestX(separationX);
+        double dy = period == null ? separationY : period.nearestY(separationY);
+        turn(dx, dy, Math.sqrt(dx * dx + dy * dy));
     }
 
     /** The geometry where the bodies stand now, at the end of their paths. */

@@ -9,13 +9,16 @@ import org.jspecify.annotations.Nullable;
  * contacts at rest.
  */
 final class ImpactPredictor {
+    /** A gap below this share of the radii is none. */
+    static final double CLOSED = 1e-7;
+
     private final @Nullable BroadPhase broadPhase;
     private final @Nullable WallSet walls;
-    private final @Nullable Period period;
     private final Paths paths;
     private final Approach approach;
     private final ImpactQueue queue;
     private final Touching touching;
+    private final Meeting meeting;
     private final int mostImpacts; // of one body in a tick; what comes after is at rest
 
     ImpactPredictor(
@@ -29,12 +32,12 @@ final class ImpactPredictor {
             int mostImpacts) {
         this.broadPhase = broadPhase;
         this.walls = walls;
-        this.period = period;
         this.paths = paths;
         this.approach = approach;
         this.queue = queue;
         this.touching = touching;
         this.mostImpacts = mostImpacts;
+        this.meeting = new Meeting(paths, period);
     }
 
     /** Looks along the paths of all bodies, as the integrator has drawn them. */
@@ -88,30 +91,12 @@ final class ImpactPredictor {
         if (sumOfRadii == 0 || bodies.isFixed(a) && bodies.isFixed(b)) {
             return; // points never touch, and their contact would have no normal
         }
-        double t0 = Math.max(paths.startTime(a), paths.startTime(b));
-        double d0x = paths.xAt(bodies, b, t0) - paths.xAt(bodies, a, t0);
-        double d0y = paths.yAt(bodies, b, t0) - paths.yAt(bodies, a, t0);
-        double d1x = bodies.x(b) - bodies.x(a);
-        double d1y = bodies.y(b) - bodies.y(a);
-        if (period != null) {
-            double shiftX = period.nearestX(d0x) - d0x;
-            double shiftY = period.nearestY(d0y) - d0y;
-            d0x += shiftX;
-            d0y += shiftY;
-            d1x += shiftX;
-            d1y += shiftY;
-        }
-        double bx = Paths.accelerationX(bodies, b) - Paths.accelerationX(bodies, a);
-        double by = Paths.accelerationY(bodies, b) - Paths.accelerationY(bodies, a);
-        double t = TimeOfImpact.ofCircles(d0x, d0y, d1x, d1y, bx, by, t0, paths.dt(), sumOfRadii);
+        meeting.of(bodies, a, b);
+        double t = meeting.time(sumOfRadii);
         if (!Double.isNaN(t)) {
             enqueue(bodies, a, b, t);
-        } else {
-            // A neighbour that is stopped in this tick may be run into by one that would have fallen with it.
-            double near = sumOfRadii + Paths.acceleration(bodies, a, b) * paths.dt() * paths.dt();
-            if (d1x * d1x + d1y * d1y < near * near) {
-                rest(bodies, a, b);
-            }
+        } else if (meeting.lastDistance() < sumOfRadii + Paths.acceleration(bodies, a, b) * paths.dt() * paths.dt()) {
+            rest(bodies, a, b); // a neighbour that is stopped in this tick may be run into by one that falls beside it
         }
     }
 
@@ -129,26 +114,43 @@ final class ImpactPredictor {
             }
             double inwards = Paths.accelerationX(bodies, i) * walls.normalX(wall)
                     + Paths.accelerationY(bodies, i) * walls.normalY(wall);
-            double t = TimeOfImpact.ofWall(gap0, gap1, inwards, t0, paths.dt());
+            double speed =
+                    paths.vxAt(bodies, i, t0) * walls.normalX(wall) + paths.vyAt(bodies, i, t0) * walls.normalY(wall);
+            double t = TimeOfImpact.ofWall(gap0, gap1, speed, inwards, t0, paths.dt());
             enqueue(bodies, i, wall, t);
         }
     }
 
-    /** Queues a bounce at time t, or lists a contact at rest; NaN for a body that is beyond a wall and on its way back. */
+    /**
+     * Queues an impact at time t, or lists a contact at rest: what lies on each other already and closes gently, and a body
+     * that is beyond a wall and on its way back, for which t is NaN.
+     */
     private void enqueue(Bodies bodies, int a, int b, double t) {
-        approach.measure(bodies, a, b, Double.isNaN(t) ? paths.startTime(a) : t);
-        boolean isAtRest = Double.isNaN(t) || approach.isGentle(bodies, a, b);
-        if (isAtRest || paths.mostImpacts(a, b) >= mostImpacts) {
+        if (Double.isNaN(t) || paths.mostImpacts(a, b) >= mostImpacts || isAtRest(bodies, a, b, t)) {
             rest(bodies, a, b);
         } else {
             queue.push(t, a, b, paths.impacts(a), paths.impacts(b));
         }
     }
 
+    private boolean isAtRest(Bodies bodies, int a, int b, double t) {
+        approach.measure(bodies, a, b, t);
+        if (!approach.isGentle(bodies, a, b)) {
+            return false;
+        }
+        approach.measure(bodies, a, b, beginning(a, b));
+        return approach.contact().gap <= CLOSED * (bodies.radius(a) + (b < 0 ? 0 : bodies.radius(b)));
+    }
+
     /** Lists a contact as it is where the later of the two paths begins. */
     private void rest(Bodies bodies, int a, int b) {
-        double t = b < 0 ? paths.startTime(a) : Math.max(paths.startTime(a), paths.startTime(b));
-        approach.measure(bodies, a, b, t);
-        touching.add(a, b, approach.contact());
+        approach.measure(bodies, a, b, beginning(a, b));
+        if (approach.contact().inverseMass > 0) {
+            touching.add(a, b, approach.contact());
+        }
+    }
+
+    private double beginning(int a, int b) {
+        return b < 0 ? paths.startTime(a) : Math.max(paths.startTime(a), paths.startTime(b));
     }
 }

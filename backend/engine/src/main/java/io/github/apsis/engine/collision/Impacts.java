@@ -9,21 +9,28 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>An impulse j = (1+e) c / (1/m1 + 1/m2) along the line of centres turns the closing speed c into e c. Both paths bend
  * there, so both bodies look for their next partner from there on. A contact whose closing speed is no more than what the
- * forces give in two ticks is no bounce but a contact at rest, and left to {@link RestingContacts}.
+ * forces give in two ticks is no bounce: e is 0 there, and what touches already is left to {@link RestingContacts}.
  */
 final class Impacts {
-    /**
-     * A body that is hit more often in one tick is in a collapse (e &lt; 1: infinitely many bounces in finite time) or a
-     * bullet in a box. From then on its contacts of this tick are inelastic, and after as many again they are at rest.
-     */
-    private static final int MOST_BOUNCES_PER_BODY = 64;
+    /** Impacts that differ by this share of a tick are looked at more closely: they may be one moment. */
+    private static final double SAME_TIME = 1e-9;
+
+    /** A gap of this share of coordinates and radii is none. */
+    private static final double ROUNDING = 1e-14;
+
+    private static final int FEWEST_BOUNCES = 8;
+    private static final int MOST_BOUNCES = 64;
+    private static final int MOST_ELASTIC_BOUNCES = 100_000;
 
     private final double restitution;
+    private final int mostBounces; // of a body in a tick
     private final double wallRestitution;
     private final Paths paths;
     private final Approach approach;
     private final ImpactQueue queue = new ImpactQueue();
     private final ImpactPredictor predictor;
+    private final SimultaneousImpacts moment = new SimultaneousImpacts();
+    private int[] bent = new int[8];
     private @Nullable ContactListener listener;
     private double start; // of the tick, time since the world began
 
@@ -37,11 +44,25 @@ final class Impacts {
             Approach approach,
             Touching touching) {
         this.restitution = restitution;
+        this.mostBounces = mostBounces(Math.max(restitution, walls == null ? 0 : wallRestitution));
         this.wallRestitution = wallRestitution;
         this.paths = paths;
         this.approach = approach;
-        this.predictor = new ImpactPredictor(
-                broadPhase, walls, period, paths, approach, queue, touching, 2 * MOST_BOUNCES_PER_BODY);
+        this.predictor =
+                new ImpactPredictor(broadPhase, walls, period, paths, approach, queue, touching, 2 * mostBounces);
+    }
+
+    /**
+     * A body that is hit more often in one tick is in a collapse: with e &lt; 1 infinitely many bounces may take a finite time.
+     * From then on its contacts of this tick are inelastic, and after as many again they are at rest. So many bounces take all
+     * but a hundredth of a speed, twice over; without loss there is no collapse, only a bullet in a box.
+     */
+    private static int mostBounces(double e) {
+        if (e == 1) {
+            return MOST_ELASTIC_BOUNCES;
+        }
+        double bounces = e > 0 ? 2 * StrictMath.log(0.01) / StrictMath.log(e) : 0;
+        return (int) Math.max(FEWEST_BOUNCES, Math.min(MOST_BOUNCES, bounces));
     }
 
     void onBounce(ContactListener newListener) {
@@ -57,65 +78,129 @@ final class Impacts {
     void resolve(Bodies bodies) {
         predictor.predictAll(bodies);
         while (!queue.isEmpty()) {
+            if (!isCurrent()) {
+                queue.pop(); // it was predicted anew when a path was bent
+                continue;
+            }
             double t = queue.time();
-            int a = queue.first();
-            int b = queue.second();
-            boolean current = queue.firstVersion() == paths.impacts(a) && queue.secondVersion() == paths.impacts(b);
-            queue.pop();
-            if (current) { // otherwise it was predicted anew when the path was bent
-                bounce(bodies, a, b, t);
+            collectMoment(bodies, t);
+            measureMoment(bodies, t);
+            if (moment.size() == 1) {
+                bounce(bodies, t);
+            } else {
+                bounceTogether(bodies, t);
             }
         }
     }
 
-    private void bounce(Bodies bodies, int a, int b, double t) {
+    private boolean isCurrent() {
+        return queue.firstVersion() == paths.impacts(queue.first())
+                && queue.secondVersion() == paths.impacts(queue.second());
+    }
+
+    /** Takes the earliest impact, and those that share a body with it and touch by then but for rounding. */
+    private void collectMoment(Bodies bodies, double t) {
+        moment.clear(bodies.count());
+        moment.add(queue.first(), queue.second());
+        queue.pop();
+        while (!queue.isEmpty() && queue.time() - t <= SAME_TIME * paths.dt()) {
+            int a = queue.first();
+            int b = queue.second();
+            if (isCurrent()) {
+                if (!moment.touches(a) && !moment.touches(b) || !touch(bodies, a, b, t)) {
+                    return; // another moment, or another place
+                }
+                moment.add(a, b);
+            }
+            queue.pop();
+        }
+    }
+
+    private boolean touch(Bodies bodies, int a, int b, double t) {
         approach.measure(bodies, a, b, t);
-        ContactGeometry contact = approach.contact();
-        boolean collapsed = paths.mostImpacts(a, b) >= MOST_BOUNCES_PER_BODY;
-        double e = collapsed ? 0 : b < 0 ? wallRestitution : restitution;
-        double impulse = (1 + e) * approach.closingSpeed() / contact.inverseMass;
-        if (listener != null) {
-            long second = b < 0 ? b : bodies.idValue(b);
-            listener.bounced(start + t, bodies.idValue(a), second, approach.closingSpeed(), impulse);
+        double digits = Math.abs(bodies.x(a)) + Math.abs(bodies.y(a)) + bodies.radius(a);
+        return approach.contact().gap <= ROUNDING * (b < 0 ? digits : digits + bodies.radius(b));
+    }
+
+    private void measureMoment(Bodies bodies, double t) {
+        for (int k = 0; k < moment.size(); k++) {
+            int a = moment.first(k);
+            int b = moment.second(k);
+            approach.measureImpact(bodies, a, b, t);
+            boolean inelastic = paths.mostImpacts(a, b) >= mostBounces || approach.isGentle(bodies, a, b);
+            double e = inelastic ? 0 : b < 0 ? wallRestitution : restitution;
+            moment.measured(k, approach.contact(), approach.closingSpeed(), e);
         }
-        bookWork(bodies, a, b, t, impulse);
-        double px = impulse * contact.nx;
-        double py = impulse * contact.ny;
-        bookOutside(bodies, a, b, px, py, paths.dt() - t);
-        bend(bodies, a, t, -px, -py);
-        if (b >= 0) {
-            bend(bodies, b, t, px, py);
-        }
+    }
+
+    private void bounce(Bodies bodies, double t) {
+        int a = moment.first(0);
+        int b = moment.second(0);
+        double inverseMass = bodies.inverseMass(a) + (b < 0 ? 0 : bodies.inverseMass(b));
+        double closing = moment.closingSpeed(0);
+        double impulse = moment.bounce(0) * closing / inverseMass;
+        bodies.ledger().bookEnergy(impulse * (0.5 * impulse * inverseMass - closing));
+        pass(bodies, 0, t, impulse);
+        double px = impulse * moment.normalX(0);
+        double py = impulse * moment.normalY(0);
+        bend(bodies, a, t, -px * bodies.inverseMass(a), -py * bodies.inverseMass(a));
         predictor.predictNext(bodies, a, b);
         if (b >= 0) {
+            bend(bodies, b, t, px * bodies.inverseMass(b), py * bodies.inverseMass(b));
             predictor.predictNext(bodies, b, a);
             predictor.predict(bodies, a, b);
         }
     }
 
-    private void bend(Bodies bodies, int i, double t, double px, double py) {
-        if (bodies.isFixed(i)) {
-            return;
+    private void bounceTogether(Bodies bodies, double t) {
+        moment.solve(bodies);
+        bodies.ledger().bookEnergy(moment.work());
+        for (int k = 0; k < moment.size(); k++) {
+            pass(bodies, k, t, moment.impulse(k));
         }
-        paths.bend(bodies, i, t, px * bodies.inverseMass(i), py * bodies.inverseMass(i));
-        predictor.update(bodies, i);
+        bent = moment.bodies(bent);
+        int count = moment.bodyCount();
+        for (int k = 0; k < count; k++) {
+            bend(bodies, bent[k], t, moment.pushX(bent[k]), moment.pushY(bent[k]));
+        }
+        for (int k = 0; k < count; k++) {
+            predictor.predictNext(bodies, bent[k], bent[k]);
+        }
+    }
+
+    /** Tells of the impulse of a contact, and books what of it leaves the world. */
+    private void pass(Bodies bodies, int k, double t, double impulse) {
+        int a = moment.first(k);
+        int b = moment.second(k);
+        double nx = moment.normalX(k);
+        double ny = moment.normalY(k);
+        if (listener != null) {
+            listener.bounced(
+                    start + t, bodies.idValue(a), b < 0 ? b : bodies.idValue(b), moment.closingSpeed(k), impulse);
+        }
+        bodies.ledger().bookEnergy(-impulse * speedByThrust(bodies, a, b, nx, ny, t));
+        bookOutside(bodies, a, b, impulse * nx, impulse * ny, paths.dt() - t);
     }
 
     /**
-     * Books what a bounce takes, −(1 − e²) c² / (2 (1/m1 + 1/m2)). Thrust books its own work by kicks at the two ends of the
-     * tick, so the speed that it has added or not yet added by now is none of the bounce's.
+     * The separating speed that thrust has added by now: it books its own work by kicks at the two ends of the tick, so what it
+     * has added or not yet added is none of the bounce's.
      */
-    private void bookWork(Bodies bodies, int a, int b, double t, double impulse) {
-        ContactGeometry contact = approach.contact();
-        double thrustX = -bodies.thrustX(a) * bodies.inverseMass(a);
-        double thrustY = -bodies.thrustY(a) * bodies.inverseMass(a);
+    private double speedByThrust(Bodies bodies, int a, int b, double nx, double ny, double t) {
+        double x = -bodies.thrustX(a) * bodies.inverseMass(a);
+        double y = -bodies.thrustY(a) * bodies.inverseMass(a);
         if (b >= 0) {
-            thrustX += bodies.thrustX(b) * bodies.inverseMass(b);
-            thrustY += bodies.thrustY(b) * bodies.inverseMass(b);
+            x += bodies.thrustX(b) * bodies.inverseMass(b);
+            y += bodies.thrustY(b) * bodies.inverseMass(b);
         }
-        double byThrust = (thrustX * contact.nx + thrustY * contact.ny) * (t - 0.5 * paths.dt());
-        bodies.ledger()
-                .bookEnergy(impulse * (0.5 * impulse * contact.inverseMass - approach.closingSpeed() - byThrust));
+        return (x * nx + y * ny) * (t - 0.5 * paths.dt());
+    }
+
+    private void bend(Bodies bodies, int i, double t, double dvx, double dvy) {
+        if (!bodies.isFixed(i)) {
+            paths.bend(bodies, i, t, dvx, dvy);
+            predictor.update(bodies, i);
+        }
     }
 
     /**

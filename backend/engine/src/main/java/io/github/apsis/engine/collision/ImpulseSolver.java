@@ -1,5 +1,6 @@
 package io.github.apsis.engine.collision;
 
+import io.github.apsis.engine.body.Bodies;
 import java.util.Arrays;
 
 /**
@@ -26,6 +27,9 @@ final class ImpulseSolver {
     /** Squares of such speeds are still numbers; what is faster is left to the walls. */
     private static final double FASTEST = 1e100;
 
+    /** A body without mass is lighter than the lightest with mass by so much: its impulses on that are rounding. */
+    private static final double MASSLESS = 1e15;
+
     private int size;
     private int bodies;
     private int[] a = new int[16];
@@ -43,10 +47,10 @@ final class ImpulseSolver {
     private double[] inverseMass = new double[17]; // of bodies; the last is that of all walls
     private double[] velocity = new double[34]; // x, y of each body: what impulses give it
 
-    /** Forgets all contacts; there will be so many at most, between so many bodies. */
-    void begin(int contacts, int count) {
+    /** Forgets all contacts; there will be so many at most. */
+    void begin(int contacts, Bodies all) {
         size = 0;
-        bodies = count;
+        bodies = all.count();
         if (contacts > a.length) {
             int capacity = Math.max(contacts, 2 * a.length);
             a = new int[capacity];
@@ -61,12 +65,21 @@ final class ImpulseSolver {
             along = new double[capacity];
             change = new double[capacity];
         }
-        if (count >= inverseMass.length) {
-            int capacity = Math.max(count + 1, 2 * inverseMass.length);
+        if (bodies >= inverseMass.length) {
+            int capacity = Math.max(bodies + 1, 2 * inverseMass.length);
             inverseMass = new double[capacity];
             velocity = new double[2 * capacity];
         }
-        inverseMass[count] = 0;
+        double lightest = 0;
+        for (int i = 0; i < bodies; i++) {
+            inverseMass[i] = all.inverseMass(i);
+            lightest = Math.max(lightest, all.mass(i) > 0 ? inverseMass[i] : 0);
+        }
+        double least = lightest > 0 ? MASSLESS * lightest : 1;
+        for (int i = 0; i < bodies; i++) {
+            inverseMass[i] = Math.min(inverseMass[i], least);
+        }
+        inverseMass[bodies] = 0;
     }
 
     /**
@@ -76,20 +89,11 @@ final class ImpulseSolver {
      * @param nx of the unit normal from the first to the second
      * @param guess of its impulse, 0 or more
      */
-    void add(
-            int first,
-            int second,
-            double nx,
-            double ny,
-            double firstInverseMass,
-            double secondInverseMass,
-            double guess) {
+    void add(int first, int second, double nx, double ny, double guess) {
         int k = size++;
-        double root = Math.sqrt(firstInverseMass + secondInverseMass);
         a[k] = first;
         b[k] = second < 0 ? bodies : second;
-        inverseMass[first] = firstInverseMass;
-        inverseMass[b[k]] = secondInverseMass;
+        double root = Math.sqrt(inverseMass[first] + inverseMass[b[k]]);
         scale[k] = 1 / root;
         hx[k] = nx / root;
         hy[k] = ny / root;
@@ -117,30 +121,35 @@ final class ImpulseSolver {
      * @param tolerance the speed by which a contact may miss what it should have, as a share of the most that one would miss
      *     without impulses
      * @param rounding the speed below which there is nothing to be found
-     * @param mostRounds after which the best so far has to do
+     * @param bearable the speed that may be missed after the usual rounds; a heap that misses more is given three times as many
+     * @param usualRounds after which the best so far has to do
      * @return how many rounds it took; 0 when the impulses were right
      */
-    int solve(double tolerance, double rounding, int mostRounds) {
+    int solve(double tolerance, double rounding, double bearable, int usualRounds) {
         double most = separate();
         double allowed = Math.max(rounding, tolerance * most);
+        double error = error();
+        if (error <= GOOD_ENOUGH * allowed || most > FASTEST) {
+            return 0;
+        }
         double longest = 1.8 / largestRow();
         restart();
         int rounds = 0;
-        if (error() <= GOOD_ENOUGH * allowed || most > FASTEST) {
-            return 0;
-        }
-        while (rounds < mostRounds && error() > allowed) {
+        while (error > allowed && (rounds < usualRounds || error > bearable && rounds < 3 * usualRounds)) {
             rounds++;
-            if (isProportional(longest)) {
-                slide(longest);
-            } else {
-                release();
+            boolean moved = isProportional(longest) ? slide(longest) : release();
+            if (!moved) {
+                break;
             }
+            error = error();
         }
-        if (rounds > 0) {
-            limitEnergy();
-        }
+        limitEnergy();
         return rounds;
+    }
+
+    /** The same without more rounds than usual. */
+    int solve(double tolerance, double rounding, int mostRounds) {
+        return solve(tolerance, rounding, Double.POSITIVE_INFINITY, mostRounds);
     }
 
     /** The same from speeds that were measured without impulses. */
@@ -243,10 +252,17 @@ final class ImpulseSolver {
         return waiting <= PROPORTION * PROPORTION * pushing;
     }
 
-    /** A step of conjugate gradients among the contacts that push; where it meets the end of a push, a projected one. */
-    private void slide(double longest) {
+    /**
+     * A step of conjugate gradients among the contacts that push; where it meets the end of a push, a projected one.
+     *
+     * @return false when the numbers are too small for squares
+     */
+    private boolean slide(double longest) {
         multiply(along, change);
         double curvature = dot(along, change);
+        if (!(curvature > 0)) {
+            return false;
+        }
         double step = dot(gradient, along) / curvature;
         double feasible = Double.POSITIVE_INFINITY;
         for (int k = 0; k < size; k++) {
@@ -254,14 +270,14 @@ final class ImpulseSolver {
                 feasible = Math.min(feasible, impulse[k] / along[k]);
             }
         }
-        if (curvature > 0 && step <= feasible) {
+        if (step <= feasible) {
             move(step);
             double turn = turn(curvature);
             for (int k = 0; k < size; k++) {
                 along[k] = impulse[k] > 0 ? gradient[k] - turn * along[k] : 0;
             }
         } else {
-            move(feasible < Double.POSITIVE_INFINITY ? feasible : 0);
+            move(feasible);
             for (int k = 0; k < size; k++) {
                 if (impulse[k] > 0) {
                     impulse[k] = Math.max(0, impulse[k] - longest * gradient[k]);
@@ -270,6 +286,7 @@ final class ImpulseSolver {
             refreshGradient();
             restart();
         }
+        return true;
     }
 
     /** (φ · A p) / (p · A p), which makes the next direction conjugate to this one. */
@@ -282,13 +299,18 @@ final class ImpulseSolver {
     }
 
     /** Lets those contacts begin to push that should. */
-    private void release() {
+    private boolean release() {
         for (int k = 0; k < size; k++) {
             along[k] = impulse[k] > 0 ? 0 : Math.min(0, gradient[k]);
         }
         multiply(along, change);
-        move(dot(gradient, along) / dot(along, change));
+        double curvature = dot(along, change);
+        if (!(curvature > 0)) {
+            return false;
+        }
+        move(dot(gradient, along) / curvature);
         restart();
+        return true;
     }
 
     private void move(double step) {

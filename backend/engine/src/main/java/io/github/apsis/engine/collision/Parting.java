@@ -14,15 +14,20 @@ final class Parting {
     private static final double SLOP = 1e-7;
 
     /**
-     * Under forces so much more is left alone, or what they move a body in a tick, if that is less: a large heap finds its
-     * impulses over several ticks, and parting what it has not found yet would keep it trembling.
+     * Under forces so much more is left alone, or what they move a body in a tick, if that is less: the impulses of a heap are
+     * not all found in one tick, and to part what that leaves would keep it trembling.
      */
     private static final double ALLOWED = 5e-4;
+
+    /** In a heap of so many contacts and more it takes many ticks, and still more is left alone. */
+    private static final int LARGE = 2000;
+
+    private static final double ALLOWED_IN_LARGE = 1e-2;
 
     /** Of an overlap in one tick. */
     private static final double SHARE = 0.2;
 
-    /** No body is parted faster than so many of its radii per time: a crowd spreads, it does not burst. */
+    /** No body is parted faster than this, in mean radii of its largest contact per time: a crowd spreads, it does not burst. */
     private static final double FASTEST = 10;
 
     private static final double TOLERANCE = 1e-6; // of the largest displacement; the next tick parts what is left
@@ -30,6 +35,7 @@ final class Parting {
     private final Touching touching;
     private final ContactGeometry contact;
     private final ImpulseSolver solver = new ImpulseSolver();
+    private double allowed; // in this tick, as a share of the radii
 
     Parting(Touching touching, ContactGeometry contact) {
         this.touching = touching;
@@ -38,17 +44,17 @@ final class Parting {
 
     /** Parts all pairs as far as a tick allows. */
     void part(Bodies bodies, double dt, int mostRounds) {
+        allowed = touching.size() < LARGE ? ALLOWED : ALLOWED_IN_LARGE;
         if (!overlapping(bodies, dt)) {
             touching.clearParting();
             return;
         }
-        solver.begin(touching.size(), bodies.count());
+        solver.begin(touching.size(), bodies);
         for (int k = 0; k < touching.size(); k++) {
             int a = touching.first(k);
             int b = touching.second(k);
             contact.fillNow(bodies, a, b);
-            double secondInverseMass = b < 0 ? 0 : bodies.inverseMass(b);
-            solver.add(a, b, contact.nx, contact.ny, bodies.inverseMass(a), secondInverseMass, touching.parting(k));
+            solver.add(a, b, contact.nx, contact.ny, touching.parting(k));
             solver.measured(
                     k, contact.gap < -allowed(bodies, a, b, dt) ? SHARE * contact.gap : Math.max(0, contact.gap));
         }
@@ -72,22 +78,28 @@ final class Parting {
         return false;
     }
 
-    private static double allowed(Bodies bodies, int a, int b, double dt) {
+    private double allowed(Bodies bodies, int a, int b, double dt) {
         double size = bodies.radius(a) + (b < 0 ? 0 : bodies.radius(b));
-        return SLOP * size + Math.min(ALLOWED * size, Paths.acceleration(bodies, a, b) * dt * dt);
+        double pressed = Math.min(1, Paths.acceleration(bodies, a, b) * dt * dt / (ALLOWED * size));
+        return (SLOP + pressed * allowed) * size;
     }
 
     /** The share of all displacements at which nobody moves too fast. */
     private double share(Bodies bodies, double dt) {
         double share = 1;
-        for (int i = 0; i < bodies.count(); i++) {
-            double moved = Math.sqrt(solver.pushX(i) * solver.pushX(i) + solver.pushY(i) * solver.pushY(i));
-            double most = FASTEST * bodies.radius(i) * dt;
-            if (moved > most) {
-                share = Math.min(share, most / moved);
-            }
+        for (int k = 0; k < touching.size(); k++) {
+            int a = touching.first(k);
+            int b = touching.second(k);
+            double radius = b < 0 ? bodies.radius(a) : 0.5 * (bodies.radius(a) + bodies.radius(b));
+            double most = FASTEST * radius * dt;
+            share = Math.min(share, most / Math.max(most, moved(a)));
+            share = b < 0 ? share : Math.min(share, most / Math.max(most, moved(b)));
         }
         return share;
+    }
+
+    private double moved(int i) {
+        return Math.sqrt(solver.pushX(i) * solver.pushX(i) + solver.pushY(i) * solver.pushY(i));
     }
 
     private void move(Bodies bodies, double share) {

@@ -18,24 +18,29 @@ final class RestingContacts {
     private static final int LOOKS = 3;
 
     /** What an impulse may miss in one tick, as a share of what it takes off; the next tick goes on from there. */
-    private static final double TOLERANCE = 1e-13;
+    private static final double TOLERANCE = 1e-12;
 
     /** Contacts times rounds: so few contacts are solved to the end, and a large pile over several ticks. */
-    private static final int WORK = 300_000;
+    private static final int WORK = 1_500_000;
 
-    private static final int FEWEST_ROUNDS = 30;
+    private static final int FEWEST_ROUNDS = 100;
 
-    /** A gap below this share of the radii is none. */
-    private static final double CLOSED = 1e-7;
+    /** What a pair may sink into each other in a tick because the impulses of a heap are not found yet, as a share of the radii. */
+    private static final double BEARABLE = 1e-6;
 
-    /** Two units in the last place of a number. */
-    private static final double ROUNDING = 0x1p-51;
+    /** Positive work below this share is rounding. */
+    private static final double NO_WORK = 1e-13;
+
+    /** Eight units in the last place of a number. */
+    private static final double ROUNDING = 0x1p-49;
 
     private final Touching touching;
     private final ContactGeometry contact;
     private final Approach approach;
     private final Parting parting;
     private final ImpulseSolver solver = new ImpulseSolver();
+    private double work; // of all impulses that hold, on the mean velocities of the tick
+    private double workThere; // the same without signs
     private int[] settled = new int[16]; // the contacts that are closed at the end of the tick
 
     RestingContacts(Touching touching, Approach approach, @Nullable WallSet walls, @Nullable Period period) {
@@ -50,25 +55,52 @@ final class RestingContacts {
         if (touching.size() == 0) {
             return;
         }
-        solver.begin(touching.size(), bodies.count());
+        solver.begin(touching.size(), bodies);
         for (int k = 0; k < touching.size(); k++) {
-            add(bodies, k, touching.normalX(k), touching.normalY(k), touching.holding(k));
+            int a = touching.first(k);
+            int b = touching.second(k);
+            solver.add(a, b, touching.normalX(k), touching.normalY(k), touching.holding(k));
         }
+        work = 0;
+        workThere = 0;
         pushHolding(bodies, dt);
-        for (int look = 0; look < LOOKS; look++) {
+        double bearable = BEARABLE * smallestSize(bodies) / dt;
+        boolean found = true;
+        for (int look = 0; look < LOOKS && found; look++) {
             double rounding = measureGaps(bodies, dt);
-            int rounds = solver.solve(TOLERANCE, rounding, mostRounds());
+            int rounds = solver.solve(TOLERANCE, rounding, bearable, mostRounds());
+            found = rounds > 0 && rounds < mostRounds();
             if (rounds > 0) {
                 pushHolding(bodies, dt);
             }
-            if (rounds == 0 || rounds == mostRounds()) {
-                break;
-            }
+        }
+        if (work > NO_WORK * workThere) {
+            holdFlat(bodies, dt);
         }
         for (int k = 0; k < touching.size(); k++) {
             touching.setHolding(k, solver.impulse(k));
         }
         parting.part(bodies, dt, mostRounds());
+    }
+
+    /**
+     * Asks for no more than that no pair closes along its first normal. That takes energy, or none: it is a projection of the
+     * velocities. A light body in a wedge of heavy ones, asked for gaps that bend, would be shot out of it.
+     */
+    private void holdFlat(Bodies bodies, double dt) {
+        double fastest = 0;
+        for (int k = 0; k < touching.size(); k++) {
+            int a = touching.first(k);
+            int b = touching.second(k);
+            double wx = (b < 0 ? 0 : bodies.vx(b)) - bodies.vx(a);
+            double wy = (b < 0 ? 0 : bodies.vy(b)) - bodies.vy(a);
+            double separating = wx * touching.normalX(k) + wy * touching.normalY(k);
+            solver.measured(k, separating + Math.max(0, touching.firstGap(k)) / dt);
+            fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
+        }
+        if (solver.solve(TOLERANCE, ROUNDING * fastest, mostRounds()) > 0) {
+            pushHolding(bodies, dt);
+        }
     }
 
     /** Takes from every pair that touches the closing speed that the end of the tick has left it. */
@@ -90,10 +122,14 @@ final class RestingContacts {
         }
     }
 
-    private void add(Bodies bodies, int k, double nx, double ny, double guess) {
-        int a = touching.first(k);
-        int b = touching.second(k);
-        solver.add(a, b, nx, ny, bodies.inverseMass(a), b < 0 ? 0 : bodies.inverseMass(b), guess);
+    /** The smallest sum of two radii. */
+    private double smallestSize(Bodies bodies) {
+        double smallest = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < touching.size(); k++) {
+            int b = touching.second(k);
+            smallest = Math.min(smallest, bodies.radius(touching.first(k)) + (b < 0 ? 0 : bodies.radius(b)));
+        }
+        return smallest;
     }
 
     private int mostRounds() {
@@ -129,16 +165,16 @@ final class RestingContacts {
         if (touching.size() > settled.length) {
             settled = new int[Math.max(touching.size(), 2 * settled.length)];
         }
-        solver.begin(touching.size(), bodies.count());
+        solver.begin(touching.size(), bodies);
         for (int k = 0; k < touching.size(); k++) {
             int a = touching.first(k);
             int b = touching.second(k);
             contact.fillNow(bodies, a, b);
             double size = bodies.radius(a) + (b < 0 ? 0 : bodies.radius(b));
-            boolean closed = contact.gap <= CLOSED * size;
+            boolean closed = contact.gap <= ImpactPredictor.CLOSED * size;
             if (closed && (touching.holding(k) > 0 || approach.isGentleNow(bodies, a, b, contact))) {
                 settled[solver.size()] = k;
-                add(bodies, k, contact.nx, contact.ny, touching.settling(k));
+                solver.add(a, b, contact.nx, contact.ny, touching.settling(k));
             }
         }
     }
@@ -152,6 +188,10 @@ final class RestingContacts {
             double ux = solver.pushX(i);
             double uy = solver.pushY(i);
             if (ux != 0 || uy != 0) {
+                double along = ux * bodies.vx(i) + uy * bodies.vy(i);
+                double across = 0.5 * (ux * ux + uy * uy);
+                work += bodies.mass(i) * (along + across);
+                workThere += bodies.mass(i) * (Math.abs(along) + across);
                 // Of the velocity that the forces will have made by the end, and against them along the way.
                 energy += bodies.mass(i) * work(bodies, i, ux, uy, 0.5 * dt);
                 energy -= bodies.mass(i) * dt * (ux * bodies.ax(i) + uy * bodies.ay(i));

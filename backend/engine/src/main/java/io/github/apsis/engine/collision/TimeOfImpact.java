@@ -19,6 +19,7 @@ final class TimeOfImpact {
     private TimeOfImpact() {}
 
     /**
+     * @param v0x relative velocity at t0, which decides where the circles touch already: at the end of a tick no path is left
      * @return the time of the first touch, {@code t0} for circles that touch already and approach, NaN for none
      */
     static double ofCircles(
@@ -26,6 +27,8 @@ final class TimeOfImpact {
             double d0y,
             double d1x,
             double d1y,
+            double v0x,
+            double v0y,
             double bx,
             double by,
             double t0,
@@ -36,9 +39,7 @@ final class TimeOfImpact {
         double wy = d1y - d0y;
         double outside = d0x * d0x + d0y * d0y - sumOfRadii * sumOfRadii;
         if (outside <= 0) {
-            double half = 0.5 * length * length;
-            double closing = d0x * (wx - bx * half) + d0y * (wy - by * half);
-            return closing < 0 || (d0x == 0 && d0y == 0) ? t0 : Double.NaN;
+            return d0x * v0x + d0y * v0y < 0 || (d0x == 0 && d0y == 0) ? t0 : Double.NaN;
         }
         double closing = d0x * wx + d0y * wy;
         double w2 = wx * wx + wy * wy;
@@ -73,11 +74,11 @@ final class TimeOfImpact {
     }
 
     /** The same for a distance along one axis, zero at the touch: a circle and a wall. */
-    static double ofWall(double gap0, double gap1, double b, double t0, double t1) {
+    static double ofWall(double gap0, double gap1, double v0, double b, double t0, double t1) {
         double length = t1 - t0;
         double w = gap1 - gap0;
         if (gap0 <= 0) {
-            return w - 0.5 * b * length * length < 0 ? t0 : Double.NaN;
+            return v0 < 0 ? t0 : Double.NaN;
         }
         if (gap1 > 0) {
             return Double.NaN;

@@ -326,6 +326,23 @@ public final class Quadtree {
 
     // --- the tree itself, for sums over its nodes; node 0 is the root, parents stand before their children ---
 
+    /** The box around all items, of which there is one at least. */
+    public double minX() {
+        return nodeMinX[0];
+    }
+
+    public double minY() {
+        return nodeMinY[0];
+    }
+
+    public double maxX() {
+        return nodeMaxX[0];
+    }
+
+    public double maxY() {
+        return nodeMaxY[0];
+    }
+
     /** How many nodes there are; 0 when there are no items. */
     public int nodes() {
         return nodes;

@@ -40,6 +40,11 @@ public final class TickStepper {
         return needed ? new Chord(integrator) : null;
     }
 
+    /** Whether bodies bounce, off each other or off walls. */
+    public boolean hasContacts() {
+        return contacts != null;
+    }
+
     /** Tells a listener of every bounce from now on. */
     public void onBounce(ContactListener listener) {
         if (contacts != null) {
