@@ -56,7 +56,7 @@ final class Approach {
 
     /**
      * Whether the partners close no faster than the forces push them together in two ticks: that is rest, not a bounce. Two
-     * bodies that fall side by side are not pushed together; one that lies on something is, by all that lies on it.
+     * bodies that fall side by side are not pushed together; one that lies on something is, by as much as that bears of its fall.
      */
     boolean isGentle(Bodies bodies, int a, int b) {
         return isGentle(bodies, a, b, contact, closingSpeed);
@@ -68,9 +68,9 @@ final class Approach {
     }
 
     private boolean isGentle(Bodies bodies, int a, int b, ContactGeometry at, double closing) {
-        boolean supported = touching.isSupported(a) || b >= 0 && touching.isSupported(b);
-        double pressing = supported ? Paths.acceleration(bodies, a, b) : -at.separatingAcceleration(bodies, a, b);
-        return closing <= 2 * Math.max(0, pressing) * paths.dt() + ROUNDING * speeds(bodies, a, b);
+        double pressed = Math.max(0, -at.separatingAcceleration(bodies, a, b)) * paths.dt();
+        double borne = Math.max(touching.support(a), touching.support(b));
+        return closing <= 2 * Math.max(pressed, borne) + ROUNDING * speeds(bodies, a, b);
     }
 
     private static double speeds(Bodies bodies, int a, int b) {

@@ -122,7 +122,7 @@ final class ImpactPredictor {
     }
 
     /**
-     * Queues an impact at time t, or lists a contact at rest: what lies on each other already and closes gently, and a body
+     * Queues an impact at time t, or lists a contact at rest: one that closes gently, and a body
      * that is beyond a wall and on its way back, for which t is NaN.
      */
     private void enqueue(Bodies bodies, int a, int b, double t) {
@@ -135,11 +135,7 @@ final class ImpactPredictor {
 
     private boolean isAtRest(Bodies bodies, int a, int b, double t) {
         approach.measure(bodies, a, b, t);
-        if (!approach.isGentle(bodies, a, b)) {
-            return false;
-        }
-        approach.measure(bodies, a, b, beginning(a, b));
-        return approach.contact().gap <= CLOSED * (bodies.radius(a) + (b < 0 ? 0 : bodies.radius(b)));
+        return approach.isGentle(bodies, a, b);
     }
 
     /** Lists a contact as it is where the later of the two paths begins. */

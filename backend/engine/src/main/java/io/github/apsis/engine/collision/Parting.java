@@ -55,8 +55,8 @@ final class Parting {
             int b = touching.second(k);
             contact.fillNow(bodies, a, b);
             solver.add(a, b, contact.nx, contact.ny, touching.parting(k));
-            solver.measured(
-                    k, contact.gap < -allowed(bodies, a, b, dt) ? SHARE * contact.gap : Math.max(0, contact.gap));
+            double beyond = contact.gap + allowed(bodies, a, b, dt);
+            solver.measured(k, beyond < 0 ? SHARE * beyond : beyond);
         }
         solver.solveFrom(TOLERANCE, mostRounds);
         for (int k = 0; k < touching.size(); k++) {

@@ -17,16 +17,25 @@ final class RestingContacts {
     /** Normals turn and gaps bend as bodies move: impulses found at the first look are corrected at a second, seldom a third. */
     private static final int LOOKS = 3;
 
-    /** What an impulse may miss in one tick, as a share of what it takes off; the next tick goes on from there. */
-    private static final double TOLERANCE = 1e-12;
+    /** What an impulse may miss in one tick, as a share of what it takes off, times the contacts; the next tick goes on from there. */
+    private static final double TOLERANCE = 1e-13;
 
     /** Contacts times rounds: so few contacts are solved to the end, and a large pile over several ticks. */
-    private static final int WORK = 1_500_000;
+    private static final int WORK = 600_000;
 
     private static final int FEWEST_ROUNDS = 100;
 
+    /** Without rounding conjugate gradients would need one round for each contact that pushes, and as many for each that changes. */
+    private static final int ROUNDS_PER_CONTACT = 20;
+
     /** What a pair may sink into each other in a tick because the impulses of a heap are not found yet, as a share of the radii. */
     private static final double BEARABLE = 1e-6;
+
+    /** How far a guess may move a pair, as a share of its radii. */
+    private static final double FARTHEST_GUESS = 0.1;
+
+    /** The cosine of the angle by which a normal may be turned. */
+    private static final double NEARLY = 0.9;
 
     /** Positive work below this share is rounding. */
     private static final double NO_WORK = 1e-13;
@@ -57,9 +66,10 @@ final class RestingContacts {
         }
         solver.begin(touching.size(), bodies);
         for (int k = 0; k < touching.size(); k++) {
+            straighten(bodies, k, dt);
             int a = touching.first(k);
             int b = touching.second(k);
-            solver.add(a, b, touching.normalX(k), touching.normalY(k), touching.holding(k));
+            solver.add(a, b, touching.normalX(k), touching.normalY(k), guess(bodies, k, dt));
         }
         work = 0;
         workThere = 0;
@@ -68,7 +78,7 @@ final class RestingContacts {
         boolean found = true;
         for (int look = 0; look < LOOKS && found; look++) {
             double rounding = measureGaps(bodies, dt);
-            int rounds = solver.solve(TOLERANCE, rounding, bearable, mostRounds());
+            int rounds = solver.solve(TOLERANCE * solver.size(), rounding, bearable, mostRounds());
             found = rounds > 0 && rounds < mostRounds();
             if (rounds > 0) {
                 pushHolding(bodies, dt);
@@ -81,6 +91,32 @@ final class RestingContacts {
             touching.setHolding(k, solver.impulse(k));
         }
         parting.part(bodies, dt, mostRounds());
+    }
+
+    /** What held a contact in the last tick, unless that stopped a blow: it would throw the bodies out of each other's sight. */
+    private double guess(Bodies bodies, int k, double dt) {
+        int a = touching.first(k);
+        int b = touching.second(k);
+        double moves = touching.holding(k) * dt * (bodies.inverseMass(a) + (b < 0 ? 0 : bodies.inverseMass(b)));
+        double size = bodies.radius(a) + (b < 0 ? 0 : bodies.radius(b));
+        return moves <= FARTHEST_GUESS * size ? touching.holding(k) : 0;
+    }
+
+    /**
+     * Turns a normal to where the two impulses have no moment: they act on the whole tick, so that is along the line of the
+     * points from which the bodies would have come straight. Unless one has bounced on the way, it had its beginning there.
+     */
+    private void straighten(Bodies bodies, int k, double dt) {
+        int a = touching.first(k);
+        int b = touching.second(k);
+        if (b >= 0) {
+            contact.turn(
+                    bodies.x(b) - bodies.vx(b) * dt - (bodies.x(a) - bodies.vx(a) * dt),
+                    bodies.y(b) - bodies.vy(b) * dt - (bodies.y(a) - bodies.vy(a) * dt));
+            if (contact.nx * touching.normalX(k) + contact.ny * touching.normalY(k) > NEARLY) {
+                touching.turn(k, contact.nx, contact.ny);
+            }
+        }
     }
 
     /**
@@ -98,7 +134,7 @@ final class RestingContacts {
             solver.measured(k, separating + Math.max(0, touching.firstGap(k)) / dt);
             fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
         }
-        if (solver.solve(TOLERANCE, ROUNDING * fastest, mostRounds()) > 0) {
+        if (solver.solve(TOLERANCE * solver.size(), ROUNDING * fastest, mostRounds()) > 0) {
             pushHolding(bodies, dt);
         }
     }
@@ -111,7 +147,7 @@ final class RestingContacts {
         gather(bodies);
         pushSettling(bodies);
         double rounding = measureSpeeds(bodies);
-        if (solver.solve(TOLERANCE, rounding, mostRounds()) > 0) {
+        if (solver.solve(TOLERANCE * solver.size(), rounding, mostRounds()) > 0) {
             pushSettling(bodies);
         }
         for (int k = 0; k < touching.size(); k++) {
@@ -133,7 +169,8 @@ final class RestingContacts {
     }
 
     private int mostRounds() {
-        return Math.max(FEWEST_ROUNDS, WORK / Math.max(1, solver.size()));
+        int size = Math.max(1, solver.size());
+        return Math.max(FEWEST_ROUNDS, Math.min(WORK / size, ROUNDS_PER_CONTACT * size));
     }
 
     /** Measures how much each pair ends too deep; what the digits of positions cannot tell is returned as a speed. */

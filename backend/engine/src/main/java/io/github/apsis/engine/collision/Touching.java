@@ -26,17 +26,17 @@ final class Touching {
     private double[] settlingBefore = new double[16];
     private double[] partingBefore = new double[16];
     private long removals = -1;
-    private boolean[] supported = new boolean[16];
+    private double[] support = new double[32]; // x, y of the speed that contacts gave each body in the last tick
 
     /** Begins a new tick. */
     void begin(Bodies bodies) {
-        if (bodies.count() > supported.length) {
-            supported = new boolean[Math.max(bodies.count(), 2 * supported.length)];
+        if (2 * bodies.count() > support.length) {
+            support = new double[Math.max(2 * bodies.count(), 2 * support.length)];
         }
-        Arrays.fill(supported, false);
+        Arrays.fill(support, 0, 2 * bodies.count(), 0);
         indexBefore.clear();
         if (bodies.removals() == removals) {
-            keep();
+            keep(bodies);
         } else {
             removals = bodies.removals(); // slots mean other bodies now
             index.clear();
@@ -44,13 +44,12 @@ final class Touching {
         size = 0;
     }
 
-    private void keep() {
+    private void keep(Bodies bodies) {
         for (int k = 0; k < size; k++) {
-            if (settling[k] > 0 || holding[k] > 0) {
-                supported[first[k]] = true;
-                if (second[k] >= 0) {
-                    supported[second[k]] = true;
-                }
+            double impulse = holding[k] + settling[k];
+            if (impulse > 0) {
+                support(bodies, first[k], -impulse * normalX[k], -impulse * normalY[k]);
+                support(bodies, second[k], impulse * normalX[k], impulse * normalY[k]);
             }
         }
         PairIndex emptied = indexBefore;
@@ -72,9 +71,16 @@ final class Touching {
         }
     }
 
-    /** Whether a body has lain on something in the last tick: then it is pressed by others, and not in free fall. */
-    boolean isSupported(int i) {
-        return supported[i];
+    private void support(Bodies bodies, int i, double px, double py) {
+        if (i >= 0) {
+            support[2 * i] += px * bodies.inverseMass(i);
+            support[2 * i + 1] += py * bodies.inverseMass(i);
+        }
+    }
+
+    /** The speed that contacts at rest gave to a body in the last tick: what it lies on bore so much of its fall. */
+    double support(int i) {
+        return i < 0 ? 0 : Math.sqrt(support[2 * i] * support[2 * i] + support[2 * i + 1] * support[2 * i + 1]);
     }
 
     /** Adds a contact between {@code a} and {@code b}, or a wall as a negative number, as it is at its beginning; once. */
@@ -128,6 +134,11 @@ final class Touching {
 
     double normalY(int k) {
         return normalY[k];
+    }
+
+    void turn(int k, double nx, double ny) {
+        normalX[k] = nx;
+        normalY[k] = ny;
     }
 
     /** The gap with which the contact began, length; negative where the partners overlapped already. */
