@@ -2,8 +2,6 @@ package io.github.apsis.benchmarks;
 
 import com.sun.management.ThreadMXBean;
 import io.github.apsis.engine.World;
-import io.github.apsis.engine.diagnostics.Conserved;
-import io.github.apsis.engine.diagnostics.Drift;
 import io.github.apsis.scenes.Scene;
 import java.lang.management.ManagementFactory;
 import java.util.function.LongConsumer;
@@ -31,13 +29,12 @@ public final class SceneRun {
     /**
      * What came out.
      *
-     * @param bodies at the end
      * @param warmUpTicks of the world that was thrown away
      * @param allocatedBytes by all measured ticks together
+     * @param balance of the measured world, looked at once in a simulated second
      * @param stateHash after the last tick
      */
-    public record Result(
-            int bodies, long warmUpTicks, TickTimes times, long allocatedBytes, Drift drift, long stateHash) {}
+    public record Result(long warmUpTicks, TickTimes times, long allocatedBytes, Balance balance, long stateHash) {}
 
     /**
      * Warms up, then measures so many ticks.
@@ -47,22 +44,17 @@ public final class SceneRun {
     public Result measure(long ticks, LongConsumer progress) {
         long warmUpTicks = warmUp(ticks);
         World world = scene.world(seed);
-        Conserved start = world.conserved();
+        Balance balance = new Balance(world);
         TickTimes times = new TickTimes();
         long allocated = 0;
         while (times.count() < ticks) {
             long before = threads.getCurrentThreadAllocatedBytes();
             tick(world, times, Math.min(CHUNK, ticks - times.count()));
             allocated += threads.getCurrentThreadAllocatedBytes() - before;
+            balance.look();
             progress.accept(times.count());
         }
-        return new Result(
-                world.count(),
-                warmUpTicks,
-                times,
-                allocated,
-                Drift.between(start, world.conserved()),
-                world.stateHash());
+        return new Result(warmUpTicks, times, allocated, balance, world.stateHash());
     }
 
     /** As many ticks as will be measured, but no more than three seconds of them. */

@@ -58,8 +58,12 @@ class ApsisBenchTest {
                         "real-time factor",
                         "time per tick",
                         "allocated",
+                        "energy",
                         "energy drift",
                         "momentum drift",
+                        "angular drift",
+                        "overlap",
+                        "touching pairs",
                         "state hash");
         assertThat(out.toString())
                 .contains("two-bodies, seed 1", "300, after 300 to warm up")
