@@ -26,39 +26,49 @@ class RandomContactScenesTest {
 
     @Test
     void every_body_is_still_there_with_numbers_for_place_and_velocity() {
-        assertThat(runs).allMatch(ContactRun::isFinite);
+        assertThat(broken(ContactRun::isFinite)).isEmpty();
     }
 
     @Test
     void momentum_is_kept_but_for_what_walls_fixed_bodies_and_fields_have_booked() {
         // Ten thousand impulses of 1e-16 each, at random.
-        assertThat(runs).allMatch(run -> run.momentumError() < 1e-12);
+        assertThat(broken(run -> run.momentumError() < 1e-12)).isEmpty();
     }
 
     @Test
     void what_contacts_and_walls_take_and_parting_gives_is_booked() {
         // Rounding grows with the ratio of the masses that press each other: 6e-10 is the worst of 3000 scenes.
-        assertThat(runs)
-                .filteredOn(withoutGravity().and(ContactRun::bornApart))
-                .allMatch(run -> run.energyError() < 1e-9);
+        assertThat(broken(run -> !keepsBooks(run) || run.energyError() < 1e-9)).isEmpty();
+    }
+
+    @Test
+    void no_crowd_ever_has_more_energy_than_it_began_with() {
+        // Not even what the books would excuse: contacts only take. Rounding of 150 ticks of a parabola.
+        assertThat(broken(run -> !keepsBooks(run) || run.energyGain() < 1e-12)).isEmpty();
     }
 
     @Test
     void energy_of_bodies_that_pull_each_other_grows_by_no_more_than_the_integrator_allows() {
         // Verlet is wrong by (ω dt)² of what is exchanged, ω = 3 and dt = 1/150: 4e-4.
-        assertThat(runs)
-                .filteredOn(
-                        run -> run.scene().pull() == Pull.GRAVITY && run.scene().hasEnergy())
-                .filteredOn(ContactRun::bornApart)
-                .allMatch(run -> run.energyGain() < 4e-4);
+        assertThat(broken(run -> !isFallingTogether(run) || run.energyGain() < 4e-4))
+                .isEmpty();
     }
 
     @Test
     void the_same_seed_ends_in_the_same_bits() {
-        assertThat(runs).allMatch(run -> ContactRun.hashAgain(run.scene()) == run.hash());
+        assertThat(broken(run -> ContactRun.hashAgain(run.scene()) == run.hash()))
+                .isEmpty();
     }
 
-    private static Predicate<ContactRun> withoutGravity() {
-        return run -> run.scene().pull() != Pull.GRAVITY && run.scene().hasEnergy();
+    private static boolean keepsBooks(ContactRun run) {
+        return run.bornApart() && run.scene().hasEnergy() && run.scene().pull() != Pull.GRAVITY;
+    }
+
+    private static boolean isFallingTogether(ContactRun run) {
+        return run.bornApart() && run.scene().hasEnergy() && run.scene().pull() == Pull.GRAVITY;
+    }
+
+    private static List<ContactRun> broken(Predicate<ContactRun> law) {
+        return runs.stream().filter(law.negate()).toList();
     }
 }
