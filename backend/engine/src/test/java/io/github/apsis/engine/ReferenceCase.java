@@ -29,6 +29,16 @@ public final class ReferenceCase {
         throw new IllegalArgumentException("robust.json has no case " + id);
     }
 
+    /** The bodies of one of the cases in {@code simultaneous.json}. */
+    public static List<BodyDef> simultaneous(String id) {
+        for (JsonNode contacts : json("simultaneous").get("cases")) {
+            if (contacts.get("id").asString().equals(id)) {
+                return new ReferenceCase(contacts).bodies();
+            }
+        }
+        throw new IllegalArgumentException("simultaneous.json has no case " + id);
+    }
+
     static JsonNode json(String id) {
         try (InputStream in = ReferenceCase.class.getResourceAsStream("/reference/" + id + ".json")) {
             return JsonMapper.shared().readTree(in);

@@ -1,0 +1,74 @@
+package io.github.apsis.engine.collision;
+
+import static io.github.apsis.engine.ReferenceCase.run;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.apsis.engine.ReferenceCase;
+import io.github.apsis.engine.World;
+import io.github.apsis.engine.WorldSnapshot;
+import io.github.apsis.engine.WorldSpec;
+import io.github.apsis.engine.body.BodyDef;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * Contacts that happen at the same moment, in any direction of the plane: turned, the same circles touch an ulp earlier or later, and
+ * nobody may see which.
+ */
+class SimultaneousContactsTest {
+    private static final int DIRECTIONS = 24;
+
+    @ParameterizedTest
+    @CsvSource({"touching-row, 1", "two-on-row, 2"})
+    void as_many_touching_balls_leave_as_arrive(String id, int arriving) {
+        for (int k = 0; k < DIRECTIONS; k++) {
+            Turn turn = Turn.number(k);
+            World world = world(1, turn, ReferenceCase.simultaneous(id));
+
+            run(world, 900);
+
+            assertLastLeave(world.snapshot(), turn, arriving, k);
+        }
+    }
+
+    private static void assertLastLeave(WorldSnapshot now, Turn turn, int leaving, long k) {
+        for (int i = 0; i < now.count(); i++) {
+            double speed = i < now.count() - leaving ? 0 : 1;
+            assertThat(turn.alongX(now, i))
+                    .as("ball %d, direction or seed %d", i, k)
+                    .isCloseTo(speed, within(1e-9));
+            assertThat(turn.alongY(now, i))
+                    .as("ball %d, direction or seed %d", i, k)
+                    .isCloseTo(0, within(1e-9));
+        }
+    }
+
+    private static World world(double e, Turn turn, List<BodyDef> bodies) {
+        World world = new World(WorldSpec.builder().contacts(e).build());
+        bodies.forEach(body -> world.add(turn.of(body)));
+        return world;
+    }
+
+    /** The plane turned about the origin: the first by nothing, then by any angles. */
+    private record Turn(double cos, double sin) {
+        static Turn number(int k) {
+            double angle = k == 0 ? 0 : 0.1 + 0.7 * k;
+            return new Turn(StrictMath.cos(angle), StrictMath.sin(angle));
+        }
+
+        BodyDef of(BodyDef body) {
+            return body.at(cos * body.x() - sin * body.y(), sin * body.x() + cos * body.y())
+                    .moving(cos * body.vx() - sin * body.vy(), sin * body.vx() + cos * body.vy());
+        }
+
+        double alongX(WorldSnapshot now, int i) {
+            return cos * now.vx(i) + sin * now.vy(i);
+        }
+
+        double alongY(WorldSnapshot now, int i) {
+            return cos * now.vy(i) - sin * now.vx(i);
+        }
+    }
+}
