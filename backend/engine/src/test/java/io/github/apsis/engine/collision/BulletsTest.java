@@ -188,6 +188,26 @@ class BulletsTest {
     }
 
     @ParameterizedTest
+    @ValueSource(doubles = {1e-2, 1, 30, 1e3, 1e6})
+    void a_bullet_into_a_corner_comes_back_the_way_it_came(double radiiPerTick) {
+        double v = radiiPerTick / DT;
+        double half = 1 + Math.max(10, 3 * radiiPerTick);
+        for (int phase = 0; phase < PHASES; phase++) {
+            double before = v * DT * (0.5 + share(phase)); // from the place where it touches both walls
+            World world = box(half);
+            world.add(bullet(half - 1 - before, half - 1 - before, v, v));
+
+            run(world, 2);
+
+            double then = half - 1 - (2 * v * DT - before);
+            assertThat(world.snapshot().vx(0)).as("phase %d", phase).isCloseTo(-v, within(1e-12 * v));
+            assertThat(world.snapshot().vy(0)).as("phase %d", phase).isCloseTo(-v, within(1e-12 * v));
+            assertThat(world.snapshot().x(0)).as("phase %d", phase).isCloseTo(then, within(1e-12 * half));
+            assertThat(world.snapshot().y(0)).as("phase %d", phase).isCloseTo(then, within(1e-12 * half));
+        }
+    }
+
+    @ParameterizedTest
     @ValueSource(doubles = {30, 1e3, 1e6})
     void a_bullet_stays_in_a_small_box_and_gains_no_energy(double radiiPerTick) {
         double v = radiiPerTick / DT;

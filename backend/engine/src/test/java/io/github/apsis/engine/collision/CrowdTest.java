@@ -1,6 +1,8 @@
 package io.github.apsis.engine.collision;
 
+import static io.github.apsis.engine.ReferenceCase.run;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSnapshot;
@@ -35,6 +37,23 @@ class CrowdTest {
             }
             before = now;
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void all_lie_beside_each_other_in_the_end_and_their_centre_where_it_was(long seed) {
+        World world = crowd(seed, 0);
+        var centre = world.conserved().centreOfMass().orElseThrow();
+
+        run(world, 600); // fifty discs cover a circle of radius 8: at ten radii a second, a second would do
+
+        WorldSnapshot now = world.snapshot();
+        assertThat(Depth.ofPairs(now, world.spec().boundary()))
+                .as("seed %d", seed)
+                .isLessThan(1e-3);
+        var then = world.conserved().centreOfMass().orElseThrow();
+        assertThat(then.x()).as("seed %d", seed).isCloseTo(centre.x(), within(1e-12));
+        assertThat(then.y()).as("seed %d", seed).isCloseTo(centre.y(), within(1e-12));
     }
 
     @ParameterizedTest

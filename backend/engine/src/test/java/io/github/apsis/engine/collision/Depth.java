@@ -42,15 +42,13 @@ final class Depth {
 
     /** The same without some bodies. */
     static double inWalls(WorldSnapshot now, Boundary edge, IntPredicate isLeftOut) {
-        if (!(edge instanceof Boundary.Walls walls)) {
-            return 0;
-        }
+        WallSet walls = WallSet.of(edge);
         double deepest = 0;
         for (int i = 0; i < now.count(); i++) {
-            double gapX = Math.min(now.x(i) - walls.box().minX(), walls.box().maxX() - now.x(i));
-            double gapY = Math.min(now.y(i) - walls.box().minY(), walls.box().maxY() - now.y(i));
-            double depth = 1 - Math.min(gapX, gapY) / now.radius(i);
-            deepest = isLeftOut.test(i) ? deepest : Math.max(deepest, depth);
+            for (int wall = -1; walls != null && wall > walls.end() && !isLeftOut.test(i); wall--) {
+                double gap = walls.gap(wall, now.x(i), now.y(i), now.radius(i));
+                deepest = Math.max(deepest, -gap / now.radius(i));
+            }
         }
         return deepest;
     }

@@ -9,9 +9,11 @@ import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSnapshot;
 import io.github.apsis.engine.WorldSpec;
 import io.github.apsis.engine.body.BodyDef;
+import io.github.apsis.engine.math.Rng;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Contacts that happen at the same moment, in any direction of the plane: turned, the same circles touch an ulp earlier or later, and
@@ -30,6 +32,41 @@ class SimultaneousContactsTest {
             run(world, 900);
 
             assertLastLeave(world.snapshot(), turn, arriving, k);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {5, 20})
+    void a_cradle_of_touching_balls_hands_on_the_whole_velocity(int count) {
+        for (int k = 0; k < DIRECTIONS; k++) {
+            Turn turn = Turn.number(k);
+            World world = new World(WorldSpec.builder().contacts(1).build());
+            world.add(turn.of(BodyDef.asteroid(-1, 0, 1, 0.1).moving(1, 0)));
+            for (int i = 0; i < count - 1; i++) {
+                world.add(turn.of(BodyDef.asteroid(0.2 * i, 0, 1, 0.1)));
+            }
+
+            run(world, 300);
+
+            assertLastLeave(world.snapshot(), turn, 1, k);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {5, 20})
+    void gaps_and_overlaps_of_an_ulp_make_no_difference_to_a_cradle(int count) {
+        for (long seed = 0; seed < DIRECTIONS; seed++) {
+            var rng = new Rng(seed);
+            World world = new World(WorldSpec.builder().contacts(1).build());
+            world.add(BodyDef.asteroid(-1, 0, 1, 0.1).moving(1, 0));
+            for (int i = 0; i < count - 1; i++) {
+                double x = 0.2 * i;
+                world.add(BodyDef.asteroid(x + (rng.nextInt(5) - 2) * Math.ulp(x), 0, 1, 0.1));
+            }
+
+            run(world, 300);
+
+            assertLastLeave(world.snapshot(), Turn.number(0), 1, seed);
         }
     }
 
