@@ -4,6 +4,7 @@ import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSpec;
 import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.Mobility;
+import io.github.apsis.engine.collision.Boundary.HalfPlane;
 import io.github.apsis.engine.force.UniformField;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Rng;
@@ -103,7 +104,11 @@ final class RandomContactScene {
         switch (rng.nextInt(3)) {
             case 0 -> laws.walls(box, restitution());
             case 1 -> laws.periodic(box);
-            default -> {}
+            default -> {
+                if (seed % 3 == 0) {
+                    laws.halfPlanes(wedge(half), restitution());
+                }
+            }
         }
         if (pull == Pull.FIELD) {
             field = logUniform(0.01, 100) * half;
@@ -113,6 +118,18 @@ final class RandomContactScene {
             laws.gravity(rng.between(0, 1) * FASTEST_ORBIT * FASTEST_ORBIT / densest());
         }
         return laws.build();
+    }
+
+    /** Two or three half-planes in any directions, all beyond the square of the births. */
+    private List<HalfPlane> wedge(double half) {
+        List<HalfPlane> insides = new ArrayList<>();
+        for (int k = 2 + rng.nextInt(2); k > 0; k--) {
+            double angle = rng.between(0, 2 * Math.PI);
+            double c = StrictMath.cos(angle);
+            double s = StrictMath.sin(angle);
+            insides.add(new HalfPlane(c, s, -half * (Math.abs(c) + Math.abs(s))));
+        }
+        return insides;
     }
 
     private double restitution() {
@@ -125,7 +142,7 @@ final class RandomContactScene {
 
     /** Of all pairs, (m1 + m2) / (r1 + r2)³. */
     private double densest() {
-        double densest = Double.MIN_NORMAL;
+        double densest = 1e-13; // less than any two bodies with mass here
         for (BodyDef a : bodies) {
             for (BodyDef b : bodies) {
                 double size = a.radius() + b.radius();
