@@ -149,6 +149,12 @@ class BulletsTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {1e-2, 1, 30, 1e3, 1e6})
+    void nothing_that_is_a_millionth_too_wide_gets_through_between_two_fixed_circles(double radiiPerTick) {
+        assertDoesNotPass(radiiPerTick, 1e-6);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-2, 1, 30, 1e3, 1e6})
     void what_is_narrow_enough_gets_through_between_two_fixed_circles(double radiiPerTick) {
         double v = radiiPerTick / DT;
         for (int phase = 0; phase < PHASES; phase++) {
@@ -242,6 +248,29 @@ class BulletsTest {
 
             assertThat(world.snapshot().vx(0)).as("phase %d", phase).isCloseTo(0, within(1e-12 * v));
             assertThat(world.snapshot().vx(1)).as("phase %d", phase).isCloseTo(v, within(1e-12 * v));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {11, 15, 50, 1000})
+    void a_bullet_that_flies_round_the_world_in_a_tick_hits_what_is_on_its_way(double radiiPerTick) {
+        double v = radiiPerTick / DT;
+        for (int phase = 0; phase < PHASES; phase++) {
+            double ahead = 0.3 + 15 * share(phase); // between the rims; behind the target are 16 less that
+            World world = periodic();
+            world.add(bullet(-9, 0, v, 0));
+            world.add(BodyDef.asteroid(-7 + ahead, 0, 1, 1));
+
+            for (int tick = 1; tick <= 4; tick++) {
+                world.step();
+
+                // The moving one flies the 16 that are free and hands on all it has, again and again.
+                double flown = radiiPerTick * tick - ahead;
+                boolean targetFlies = flown >= 0 && Math.floor(flown / 16) % 2 == 0;
+                assertThat(world.snapshot().vx(targetFlies ? 1 : 0))
+                        .as("phase %d, tick %d", phase, tick)
+                        .isCloseTo(v, within(1e-12 * v));
+            }
         }
     }
 

@@ -6,6 +6,7 @@ import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSnapshot;
 import io.github.apsis.engine.WorldSpec;
 import io.github.apsis.engine.body.BodyDef;
+import io.github.apsis.engine.math.Aabb;
 import java.util.BitSet;
 import java.util.List;
 import java.util.stream.Stream;
@@ -63,8 +64,31 @@ class WedgeTest {
         }
     }
 
+    @ParameterizedTest
+    @MethodSource("drives")
+    void a_ball_that_is_driven_into_a_corner_does_not_leave_with_more_than_drove_it(double e, double heavy, double v) {
+        for (int phase = 0; phase < PHASES; phase += 4) {
+            World world = new World(WorldSpec.builder()
+                    .contacts(e)
+                    .walls(Aabb.centred(3.3, 3.3), 1)
+                    .build());
+            world.add(BodyDef.asteroid(2.1, -2.2, 1, 1));
+            double angle = -1.2 + 0.05 * phase;
+            world.add(BodyDef.asteroid(-1, 1, heavy, 1).moving(v * StrictMath.cos(angle), v * StrictMath.sin(angle)));
+            double start = world.conserved().kinetic();
+
+            for (int tick = 0; tick < 30; tick++) {
+                world.step();
+                // A light ball between a heavy one and two walls is hit a hundred times a tick, each to a few 1e-16.
+                assertThat(world.conserved().kinetic())
+                        .as("phase %d, tick %d", phase, tick)
+                        .isLessThanOrEqualTo(start * (1 + 1e-11));
+            }
+        }
+    }
+
     static Stream<Boundary> edges() {
-        return Stream.of(new Boundary.Open());
+        return Stream.of(new Boundary.Open(), new Boundary.Periodic(Aabb.centred(5, 5)));
     }
 
     /** The first two are fixed and may stand as they like. */
