@@ -73,6 +73,14 @@ class AccretionTest {
         assertThat(Math.hypot(px, py) / fallingMomentum()).as("seed %d", SEED).isLessThan(1e-12);
     }
 
+    @Test
+    void angular_momentum_stays() {
+        double arm = 20; // where most of them met
+        double error = end.angularMomentum() - start.angularMomentum();
+
+        assertThat(error / (fallingMomentum() * arm)).as("seed %d", SEED).isCloseTo(0, within(1e-10));
+    }
+
     /** What was under way in the fall: all the mass at the speed of a fall from far to 30. */
     private double fallingMomentum() {
         return mass() * Math.sqrt(2 * world.spec().gravity() * PLANET_MASS / 30);

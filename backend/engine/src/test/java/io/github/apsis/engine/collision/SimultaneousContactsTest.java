@@ -23,6 +23,43 @@ class SimultaneousContactsTest {
     private static final int DIRECTIONS = 24;
 
     @ParameterizedTest
+    @ValueSource(doubles = {0, 0.5, 0.8, 1})
+    void a_cue_between_two_balls_leaves_them_mirror_images(double e) {
+        for (int k = 0; k < DIRECTIONS; k++) {
+            Turn turn = Turn.number(k);
+            World world = world(e, turn, ReferenceCase.simultaneous("cue-on-two"));
+
+            run(world, 900);
+
+            WorldSnapshot now = world.snapshot();
+            assertThat(turn.alongY(now, 0)).as("direction %d", k).isCloseTo(0, within(1e-9));
+            assertThat(turn.alongX(now, 1)).as("direction %d", k).isCloseTo(turn.alongX(now, 2), within(1e-9));
+            assertThat(turn.alongY(now, 1)).as("direction %d", k).isCloseTo(-turn.alongY(now, 2), within(1e-9));
+            assertThat(turn.alongX(now, 1)).as("direction %d", k).isGreaterThan(0.2); // both were hit
+            assertMomentumAndEnergy(now, turn, 1, 0.5);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.5, 0.8, 1})
+    void a_ball_hit_from_both_sides_at_once_stays(double e) {
+        for (int k = 0; k < DIRECTIONS; k++) {
+            Turn turn = Turn.number(k);
+            World world = world(e, turn, ReferenceCase.simultaneous("sandwich"));
+
+            run(world, 900);
+
+            WorldSnapshot now = world.snapshot();
+            assertThat(turn.alongX(now, 1)).as("direction %d", k).isCloseTo(0, within(1e-9));
+            assertThat(turn.alongX(now, 0)).as("direction %d", k).isCloseTo(-turn.alongX(now, 2), within(1e-9));
+            assertThat(turn.alongX(now, 2)).as("direction %d", k).isBetween(-1e-12, 1 + 1e-12);
+            if (e == 1) {
+                assertThat(turn.alongX(now, 2)).as("direction %d", k).isCloseTo(1, within(1e-9));
+            }
+        }
+    }
+
+    @ParameterizedTest
     @CsvSource({"touching-row, 1", "two-on-row, 2"})
     void as_many_touching_balls_leave_as_arrive(String id, int arriving) {
         for (int k = 0; k < DIRECTIONS; k++) {
@@ -80,6 +117,17 @@ class SimultaneousContactsTest {
                     .as("ball %d, direction or seed %d", i, k)
                     .isCloseTo(0, within(1e-9));
         }
+    }
+
+    private static void assertMomentumAndEnergy(WorldSnapshot now, Turn turn, double momentum, double energy) {
+        double p = 0;
+        double k = 0;
+        for (int i = 0; i < now.count(); i++) {
+            p += now.mass(i) * turn.alongX(now, i);
+            k += 0.5 * now.mass(i) * (now.vx(i) * now.vx(i) + now.vy(i) * now.vy(i));
+        }
+        assertThat(p).isCloseTo(momentum, within(1e-14));
+        assertThat(k).isLessThan(energy * (1 + 1e-12));
     }
 
     private static World world(double e, Turn turn, List<BodyDef> bodies) {
