@@ -12,11 +12,11 @@ import org.jspecify.annotations.Nullable;
  * forces give in two ticks is no bounce: e is 0 there, and what touches already is left to {@link RestingContacts}.
  */
 final class Impacts {
-    /** Impacts that differ by this share of a tick are looked at more closely: they may be one moment. */
-    private static final double SAME_TIME = 1e-9;
+    /** Impacts that differ by this share of a tick are looked at more closely: they may be one moment. Speeds that differ by it do not belong together. */
+    private static final double SAME = 1e-9;
 
-    /** A gap of this share of coordinates and radii is none. */
-    private static final double ROUNDING = 1e-14;
+    /** A gap of this share of coordinates and radii is none: positions are sums of thousands of ticks. */
+    private static final double ROUNDING = 1e-12;
 
     private static final int FEWEST_BOUNCES = 8;
     private static final int MOST_BOUNCES = 64;
@@ -102,12 +102,14 @@ final class Impacts {
     private void collectMoment(Bodies bodies, double t) {
         moment.clear(bodies.count());
         moment.add(queue.first(), queue.second());
+        approach.measure(bodies, queue.first(), queue.second(), t);
+        double closing = approach.closingSpeed();
         queue.pop();
-        while (!queue.isEmpty() && queue.time() - t <= SAME_TIME * paths.dt()) {
+        while (!queue.isEmpty() && queue.time() - t <= SAME * paths.dt()) {
             int a = queue.first();
             int b = queue.second();
             if (isCurrent()) {
-                if (!moment.touches(a) && !moment.touches(b) || !touch(bodies, a, b, t)) {
+                if (!moment.touches(a) && !moment.touches(b) || !touch(bodies, a, b, t, closing)) {
                     return; // another moment, or another place
                 }
                 moment.add(a, b);
@@ -116,10 +118,13 @@ final class Impacts {
         }
     }
 
-    private boolean touch(Bodies bodies, int a, int b, double t) {
+    /** Whether two touch at time t, and close at a speed beside which another is not rounding, nor rounding beside it. */
+    private boolean touch(Bodies bodies, int a, int b, double t, double otherSpeed) {
         approach.measure(bodies, a, b, t);
         double digits = Math.abs(bodies.x(a)) + Math.abs(bodies.y(a)) + bodies.radius(a);
-        return approach.contact().gap <= ROUNDING * (b < 0 ? digits : digits + bodies.radius(b));
+        return approach.contact().gap <= ROUNDING * (b < 0 ? digits : digits + bodies.radius(b))
+                && approach.closingSpeed() > SAME * otherSpeed
+                && otherSpeed > SAME * approach.closingSpeed();
     }
 
     private void measureMoment(Bodies bodies, double t) {
@@ -161,10 +166,23 @@ final class Impacts {
         bent = moment.bodies(bent);
         int count = moment.bodyCount();
         for (int k = 0; k < count; k++) {
+            bookMassless(bodies, bent[k], t);
             bend(bodies, bent[k], t, moment.pushX(bent[k]), moment.pushY(bent[k]));
         }
         for (int k = 0; k < count; k++) {
             predictor.predictNext(bodies, bent[k], bent[k]);
+        }
+    }
+
+    /** What bodies with mass have given to one without is lost to the world. */
+    private void bookMassless(Bodies bodies, int i, double t) {
+        if (bodies.mass(i) == 0 && !bodies.isFixed(i)) {
+            double m = 1 / moment.inverseMass(i);
+            double ux = moment.pushX(i);
+            double uy = moment.pushY(i);
+            double work = ux * (paths.vxAt(bodies, i, t) + 0.5 * ux) + uy * (paths.vyAt(bodies, i, t) + 0.5 * uy);
+            bodies.ledger().bookEnergy(-m * work);
+            bodies.ledger().bookImpulse(-m * ux, -m * uy, bodies.x(i), bodies.y(i));
         }
     }
 

@@ -27,8 +27,11 @@ final class ImpulseSolver {
     /** Squares of such speeds are still numbers; what is faster is left to the walls. */
     private static final double FASTEST = 1e100;
 
-    /** A body without mass is lighter than the lightest with mass by so much: its impulses on that are rounding. */
-    private static final double MASSLESS = 1e15;
+    /**
+     * A body without mass is lighter than the lightest with mass by so much: more, and a stack on it could not be told from one
+     * in the air.
+     */
+    private static final double MASSLESS = 1e9;
 
     private int size;
     private int bodies;
@@ -382,6 +385,11 @@ final class ImpulseSolver {
 
     double unpushedY(int k) {
         return (impulse[k] - applied[k]) * hy[k];
+    }
+
+    /** The inverse mass that a body has here. */
+    double inverseMass(int i) {
+        return inverseMass[i];
     }
 
     /** The change of velocity of a body. */

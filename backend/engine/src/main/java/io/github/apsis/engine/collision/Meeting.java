@@ -9,7 +9,8 @@ import org.jspecify.annotations.Nullable;
  * every image of the second that the path sweeps may be the one that is met, however many periods a tick spans.
  */
 final class Meeting {
-    private static final long MOST_PERIODS = 10_000_000; // that a path may span in a tick
+    private static final long MOST_PERIODS =
+            300_000; // that a path may span in a tick: a million radii, and the smallest world is four wide
 
     private final Paths paths;
     private final @Nullable Period period;

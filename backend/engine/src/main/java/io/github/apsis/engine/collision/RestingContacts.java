@@ -232,6 +232,7 @@ final class RestingContacts {
                 // Of the velocity that the forces will have made by the end, and against them along the way.
                 energy += bodies.mass(i) * work(bodies, i, ux, uy, 0.5 * dt);
                 energy -= bodies.mass(i) * dt * (ux * bodies.ax(i) + uy * bodies.ay(i));
+                bookMassless(bodies, i, ux, uy);
                 bodies.push(i, ux, uy);
                 bodies.shift(i, ux * dt, uy * dt);
             }
@@ -249,10 +250,19 @@ final class RestingContacts {
             double uy = solver.pushY(i);
             if (ux != 0 || uy != 0) {
                 energy += bodies.mass(i) * work(bodies, i, ux, uy, 0);
+                bookMassless(bodies, i, ux, uy);
                 bodies.push(i, ux, uy);
             }
         }
         bodies.ledger().bookEnergy(energy);
+    }
+
+    /** What bodies with mass have given to one without is lost to the world. */
+    private void bookMassless(Bodies bodies, int i, double ux, double uy) {
+        if (bodies.mass(i) == 0) {
+            double m = 1 / solver.inverseMass(i);
+            bodies.ledger().bookImpulse(-m * ux, -m * uy, bodies.x(i), bodies.y(i));
+        }
     }
 
     /** The work u · (v + u/2) per mass on the velocity that the forces will have made; thrust books its own when it comes. */

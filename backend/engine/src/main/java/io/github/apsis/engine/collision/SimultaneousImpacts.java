@@ -159,6 +159,11 @@ final class SimultaneousImpacts {
         return bodyCount;
     }
 
+    /** The inverse mass that a body has in these impacts. */
+    double inverseMass(int i) {
+        return solver.inverseMass(i);
+    }
+
     /** The change of velocity of a body. */
     double pushX(int i) {
         return solver.pushX(i);

@@ -76,7 +76,9 @@ class AccretionTest {
     @Test
     void angular_momentum_stays() {
         double arm = 20; // where most of them met
-        double error = end.angularMomentum() - start.angularMomentum();
+        // Parting an overlap moves bodies that have speed: what that adds is booked.
+        double booked = end.booked().angularMomentum() - start.booked().angularMomentum();
+        double error = end.angularMomentum() - start.angularMomentum() - booked;
 
         assertThat(error / (fallingMomentum() * arm)).as("seed %d", SEED).isCloseTo(0, within(1e-10));
     }
