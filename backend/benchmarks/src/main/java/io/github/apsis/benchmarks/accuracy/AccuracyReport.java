@@ -1,5 +1,9 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.benchmarks.report.Cells;
+import io.github.apsis.benchmarks.report.Csv;
+import io.github.apsis.benchmarks.report.Machine;
+import io.github.apsis.benchmarks.report.Markdown;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,5 +1,8 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.benchmarks.reference.Fraction;
+import io.github.apsis.benchmarks.reference.Json;
+import io.github.apsis.benchmarks.report.Csv;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,5 +1,7 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.benchmarks.report.Cells;
+import io.github.apsis.benchmarks.report.Csv;
 import io.github.apsis.engine.math.CompensatedSum;
 import java.util.Arrays;
 import java.util.List;

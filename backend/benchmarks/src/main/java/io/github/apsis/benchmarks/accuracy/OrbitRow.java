@@ -1,5 +1,8 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.benchmarks.reference.Fraction;
+import io.github.apsis.benchmarks.report.Cells;
+import io.github.apsis.benchmarks.report.Csv;
 import java.util.List;
 
 /**

@@ -1,5 +1,6 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.benchmarks.report.Chart;
 import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Files;

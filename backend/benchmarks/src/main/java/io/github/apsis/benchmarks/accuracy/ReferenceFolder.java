@@ -1,19 +1,14 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.benchmarks.reference.CaseFolder;
+import io.github.apsis.benchmarks.reference.Json;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.URI;
-import java.net.URISyntaxException;
-import java.nio.file.FileSystem;
-import java.nio.file.FileSystems;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
-import java.util.stream.Stream;
 import tools.jackson.databind.JsonNode;
 
 /**
@@ -43,14 +38,8 @@ final class ReferenceFolder {
      * @param wanted ids to use; files with others are passed over
      */
     static ReferenceFolder read(Path folder, Predicate<String> wanted) throws IOException {
-        List<Path> files;
-        try (Stream<Path> entries = Files.list(folder)) {
-            files = entries.filter(file -> file.toString().endsWith(".json"))
-                    .sorted()
-                    .toList();
-        }
         var found = new ReferenceFolder();
-        for (Path file : files) {
+        for (Path file : CaseFolder.files(folder)) {
             found.use(file, wanted);
         }
         return found;
@@ -58,34 +47,7 @@ final class ReferenceFolder {
 
     /** Reads the cases that come with the program. */
     static ReferenceFolder shipped(Predicate<String> wanted) throws IOException {
-        URI place = shippedPlace();
-        if (!"jar".equals(place.getScheme())) {
-            return read(Path.of(place), wanted);
-        }
-        try (FileSystem jar = FileSystems.newFileSystem(place, Map.of())) {
-            Path copy = Files.createTempDirectory("apsis-cases"); // the peer reads them too, and reads no jars
-            copy.toFile().deleteOnExit();
-            try (Stream<Path> entries = Files.list(jar.provider().getPath(place))) {
-                for (Path entry : entries.toList()) {
-                    Path file = copy.resolve(entry.getFileName().toString());
-                    Files.copy(entry, file);
-                    file.toFile().deleteOnExit();
-                }
-            }
-            return read(copy, wanted);
-        }
-    }
-
-    private static URI shippedPlace() {
-        var place = ReferenceFolder.class.getResource("cases");
-        if (place == null) {
-            throw new IllegalStateException("this program comes without its cases");
-        }
-        try {
-            return place.toURI();
-        } catch (URISyntaxException e) {
-            throw new IllegalStateException(e);
-        }
+        return read(CaseFolder.shipped(ReferenceFolder.class), wanted);
     }
 
     private void use(Path file, Predicate<String> wanted) {

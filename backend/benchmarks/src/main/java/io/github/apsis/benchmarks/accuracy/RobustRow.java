@@ -1,5 +1,7 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.benchmarks.report.Csv;
+
 /** One line of {@code robust.csv}: a hard input, whether its check holds, and what happened, in a sentence. */
 record RobustRow(String id, String status, String outcome) {
     static final String HEADER = "id,status,outcome";

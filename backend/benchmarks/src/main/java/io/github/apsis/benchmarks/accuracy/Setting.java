@@ -1,5 +1,7 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.benchmarks.reference.Fraction;
+
 /**
  * A method and how fine it is.
  *

@@ -1,5 +1,6 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.benchmarks.reference.Json;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;

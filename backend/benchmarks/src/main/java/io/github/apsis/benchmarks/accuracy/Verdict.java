@@ -1,5 +1,6 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.benchmarks.report.Cells;
 import java.util.List;
 import java.util.Locale;
 

@@ -1,10 +1,10 @@
 package io.github.apsis.benchmarks.cli;
 
 import io.github.apsis.benchmarks.accuracy.AccuracyStudy;
-import io.github.apsis.benchmarks.accuracy.Fraction;
 import io.github.apsis.benchmarks.accuracy.Ladder;
 import io.github.apsis.benchmarks.accuracy.Ladder.Thoroughness;
 import io.github.apsis.benchmarks.accuracy.Method;
+import io.github.apsis.benchmarks.reference.Fraction;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.apsis.benchmarks.accuracy.Ladder.Thoroughness;
+import io.github.apsis.benchmarks.reference.Fraction;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;

@@ -1,4 +1,4 @@
-package io.github.apsis.benchmarks.accuracy;
+package io.github.apsis.benchmarks.report;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -6,15 +6,15 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 
 /** What stands under a measurement, as far as others need to know. */
-final class Machine {
+public final class Machine {
     private Machine() {}
 
-    static String jdk() {
+    public static String jdk() {
         return "JDK " + Runtime.version() + ", " + System.getProperty("os.name") + " " + System.getProperty("os.arch");
     }
 
     /** For example {@code AMD EPYC, 2 processors}. */
-    static String cpu() {
+    public static String cpu() {
         return model() + ", " + Runtime.getRuntime().availableProcessors() + " processors";
     }
 

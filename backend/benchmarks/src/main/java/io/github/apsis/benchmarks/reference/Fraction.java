@@ -1,5 +1,6 @@
-package io.github.apsis.benchmarks.accuracy;
+package io.github.apsis.benchmarks.reference;
 
+import io.github.apsis.benchmarks.report.Cells;
 import java.util.Locale;
 
 /** Steps as people write them: {@code 1/150}, or a plain number. */
@@ -21,7 +22,7 @@ public final class Fraction {
     }
 
     /** {@code 1/150}, {@code 1/37.5}, {@code 365.25}, {@code 1e-18}: as short as it tells steps apart. */
-    static String format(double value) {
+    public static String format(double value) {
         if (value < 1.0 / LARGEST || value > LARGEST) {
             return String.format(Locale.ROOT, "%.0e", value);
         }

@@ -1,4 +1,4 @@
-package io.github.apsis.benchmarks.accuracy;
+package io.github.apsis.benchmarks.reference;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -9,7 +9,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Reads JSON whose numbers may be strings, so that they can hold {@code NaN} or more digits than a double. */
-final class Json {
+public final class Json {
     private static final JsonMapper MAPPER = JsonMapper.builder()
             .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
             .build();
@@ -17,7 +17,7 @@ final class Json {
     private Json() {}
 
     /** @throws IllegalArgumentException when the file is not JSON */
-    static JsonNode read(Path file) throws IOException {
+    public static JsonNode read(Path file) throws IOException {
         try {
             return MAPPER.readTree(Files.readString(file));
         } catch (JacksonException e) {
@@ -26,7 +26,7 @@ final class Json {
     }
 
     /** @throws IllegalArgumentException when the field is not there */
-    static JsonNode field(JsonNode object, String name) {
+    public static JsonNode field(JsonNode object, String name) {
         JsonNode value = object.get(name);
         if (value == null || value.isNull()) {
             throw new IllegalArgumentException("it has no " + name);
@@ -34,17 +34,17 @@ final class Json {
         return value;
     }
 
-    static double number(JsonNode object, String name) {
+    public static double number(JsonNode object, String name) {
         return valueOf(field(object, name), "its " + name);
     }
 
     /** The number of a field, or this one where the field is not there. */
-    static double number(JsonNode object, String name, double otherwise) {
+    public static double number(JsonNode object, String name, double otherwise) {
         return object.hasNonNull(name) ? number(object, name) : otherwise;
     }
 
     /** A number, or a string that says one: {@code 0.5}, {@code "0.5"}, {@code "1/150"}, {@code "NaN"}. */
-    static double valueOf(JsonNode value, String what) {
+    public static double valueOf(JsonNode value, String what) {
         if (value.isNumber()) {
             return value.asDouble();
         }
@@ -54,7 +54,7 @@ final class Json {
         throw new IllegalArgumentException(what + " is not a number: " + value);
     }
 
-    static String text(JsonNode object, String name) {
+    public static String text(JsonNode object, String name) {
         return field(object, name).asString("");
     }
 }

@@ -1,4 +1,4 @@
-package io.github.apsis.benchmarks.accuracy;
+package io.github.apsis.benchmarks.report;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -18,23 +18,23 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
  * A log-log chart as all of the report's are: ours as lines with round marks, the peer's as marks alone or dashed, in the
  * colours of Okabe and Ito (2008), which people with any kind of colour vision tell apart; the legend beside the data.
  */
-final class Chart {
-    static final int WIDTH = 900;
-    static final int HEIGHT = 600;
-    static final Color BLACK = new Color(0x22, 0x22, 0x22);
-    static final Color BLUE = new Color(0x00, 0x72, 0xB2);
-    static final Color ORANGE = new Color(0xE6, 0x9F, 0x00);
-    static final Color GREEN = new Color(0x00, 0x9E, 0x73);
-    static final Color VERMILION = new Color(0xD5, 0x5E, 0x00);
-    static final Color PURPLE = new Color(0xCC, 0x79, 0xA7);
-    static final Color SKY = new Color(0x56, 0xB4, 0xE9);
-    static final Color GREY = new Color(0x77, 0x77, 0x77);
+public final class Chart {
+    public static final int WIDTH = 900;
+    public static final int HEIGHT = 600;
+    public static final Color BLACK = new Color(0x22, 0x22, 0x22);
+    public static final Color BLUE = new Color(0x00, 0x72, 0xB2);
+    public static final Color ORANGE = new Color(0xE6, 0x9F, 0x00);
+    public static final Color GREEN = new Color(0x00, 0x9E, 0x73);
+    public static final Color VERMILION = new Color(0xD5, 0x5E, 0x00);
+    public static final Color PURPLE = new Color(0xCC, 0x79, 0xA7);
+    public static final Color SKY = new Color(0x56, 0xB4, 0xE9);
+    public static final Color GREY = new Color(0x77, 0x77, 0x77);
 
     private static final double FLOOR = 1e-17; // a logarithm has no place for 0
     private static final Color GRID = new Color(0xE4, 0xE4, 0xE4);
     private final XYChart chart;
 
-    Chart(String title, String x, String y) {
+    public Chart(String title, String x, String y) {
         System.setProperty("java.awt.headless", "true");
         chart = new XYChartBuilder()
                 .width(WIDTH)
@@ -64,17 +64,17 @@ final class Chart {
     }
 
     /** A line with marks; nothing when there are no points. */
-    void line(String name, List<double[]> points, Color color) {
+    public void line(String name, List<double[]> points, Color color) {
         add(name, points, color, SeriesMarkers.CIRCLE, new BasicStroke(2.2f));
     }
 
     /** A line without marks. */
-    void curve(String name, List<double[]> points, Color color) {
+    public void curve(String name, List<double[]> points, Color color) {
         add(name, points, color, SeriesMarkers.NONE, new BasicStroke(2.2f));
     }
 
     /** A dashed line with marks of its own, for what is not ours. */
-    void peer(String name, List<double[]> points, Color color, Marker marker) {
+    public void peer(String name, List<double[]> points, Color color, Marker marker) {
         add(
                 name,
                 points,
@@ -100,11 +100,11 @@ final class Chart {
         series.setLineStyle(stroke);
     }
 
-    boolean isEmpty() {
+    public boolean isEmpty() {
         return chart.getSeriesMap().isEmpty();
     }
 
-    void write(Path file) throws IOException {
+    public void write(Path file) throws IOException {
         SmallPng.write(BitmapEncoder.getBufferedImage(chart), file);
     }
 }

@@ -1,4 +1,4 @@
-package io.github.apsis.benchmarks.accuracy;
+package io.github.apsis.benchmarks.report;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBuffer;

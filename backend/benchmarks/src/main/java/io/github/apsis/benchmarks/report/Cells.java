@@ -1,21 +1,21 @@
-package io.github.apsis.benchmarks.accuracy;
+package io.github.apsis.benchmarks.report;
 
 import java.util.Locale;
 import java.util.regex.Pattern;
 
 /** Numbers as cells of tables, with a point whatever the country. */
-final class Cells {
+public final class Cells {
     private static final Pattern TRAILING_ZEROS = Pattern.compile("(\\.\\d*?)0+$");
 
     private Cells() {}
 
     /** For programs: {@code 1.2346e-13}; empty for NaN. */
-    static String exact(double value) {
+    public static String exact(double value) {
         return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.4e", value);
     }
 
     /** For people: {@code 1.2e-13}; a dash for NaN. */
-    static String brief(double value) {
+    public static String brief(double value) {
         if (Double.isNaN(value)) {
             return "–";
         }
@@ -23,7 +23,7 @@ final class Cells {
     }
 
     /** For people: three digits without an exponent; a dash for NaN. */
-    static String figure(double value) {
+    public static String figure(double value) {
         if (!Double.isFinite(value)) {
             return "–";
         }
@@ -32,7 +32,7 @@ final class Cells {
     }
 
     /** For people, of a ratio: {@code 54}, {@code 1.8}, {@code 0.03}, {@code 2e4}. */
-    static String times(double ratio) {
+    public static String times(double ratio) {
         if (ratio >= 1000 || ratio < 0.01) {
             return String.format(Locale.ROOT, "%.0e", ratio).replace("e+0", "e").replace("e-0", "e-");
         }
@@ -40,7 +40,7 @@ final class Cells {
     }
 
     /** {@code 628}, {@code 0.5}: no zeros behind the point. */
-    static String plain(double value) {
+    public static String plain(double value) {
         String text = TRAILING_ZEROS
                 .matcher(String.format(Locale.ROOT, "%.6f", value))
                 .replaceFirst("$1");

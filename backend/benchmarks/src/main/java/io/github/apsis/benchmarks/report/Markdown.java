@@ -1,17 +1,17 @@
-package io.github.apsis.benchmarks.accuracy;
+package io.github.apsis.benchmarks.report;
 
 import java.util.List;
 import java.util.stream.Collectors;
 
 /** A page in the making: paragraphs and tables. */
-final class Markdown {
+public final class Markdown {
     private final StringBuilder page = new StringBuilder();
 
-    void paragraph(String text) {
+    public void paragraph(String text) {
         page.append(text).append("\n\n");
     }
 
-    void table(List<String> head, List<List<String>> rows) {
+    public void table(List<String> head, List<List<String>> rows) {
         page.append(row(head));
         page.append(head.stream().map(cell -> "---").collect(Collectors.joining("|", "|", "|\n")));
         rows.forEach(cells -> page.append(row(cells)));

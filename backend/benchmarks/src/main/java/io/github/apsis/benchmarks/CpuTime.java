@@ -1,11 +1,11 @@
-package io.github.apsis.benchmarks.accuracy;
+package io.github.apsis.benchmarks;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.Arrays;
 
 /** CPU time of this thread: what others do on the machine at the same time counts less than on a wall clock. */
-final class CpuTime {
+public final class CpuTime {
     private static final long SHORT_NANOS = 20_000_000; // below this a measurement repeats what it measures
     private static final long WARM_NANOS = 20_000_000; // the compiler knows the method already: see the study
     private static final long PATIENCE_NANOS = 2_000_000_000;
@@ -15,7 +15,7 @@ final class CpuTime {
     private CpuTime() {}
 
     /** Best of three after a short while to warm up, fewer when a run takes seconds. */
-    static double bestMicros(Runnable work) {
+    public static double bestMicros(Runnable work) {
         long once = warmUp(work, WARM_NANOS);
         int times = (int) (1 + SHORT_NANOS / Math.max(1, once));
         long best = Long.MAX_VALUE;
@@ -29,7 +29,7 @@ final class CpuTime {
     }
 
     /** Runs at least that long, and returns what the last run took, ns. */
-    static long warmUp(Runnable work, long nanos) {
+    public static long warmUp(Runnable work, long nanos) {
         long spent = 0;
         long last = 0;
         while (spent < nanos) {
@@ -40,7 +40,7 @@ final class CpuTime {
     }
 
     /** Median of up to thirty, at least three, after half a second to warm up. */
-    static double medianMicros(Runnable work) {
+    public static double medianMicros(Runnable work) {
         warmUp(work, PATIENCE_NANOS / 4);
         double[] micros = new double[30];
         int runs = 0;

@@ -1,4 +1,4 @@
-package io.github.apsis.benchmarks.accuracy;
+package io.github.apsis.benchmarks.report;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -6,14 +6,14 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Lines of comma-separated values, quoted where they must be (RFC 4180). */
-final class Csv {
+public final class Csv {
     private Csv() {}
 
-    static String line(String... cells) {
+    public static String line(String... cells) {
         return Stream.of(cells).map(Csv::quoted).collect(Collectors.joining(","));
     }
 
-    static String file(String header, Stream<String> lines) {
+    public static String file(String header, Stream<String> lines) {
         return Stream.concat(Stream.of(header), lines).collect(Collectors.joining("\n", "", "\n"));
     }
 
@@ -23,7 +23,7 @@ final class Csv {
     }
 
     /** The cells of a line. */
-    static List<String> cells(String line) {
+    public static List<String> cells(String line) {
         List<String> cells = new ArrayList<>();
         var cell = new StringBuilder();
         boolean quoted = false;
