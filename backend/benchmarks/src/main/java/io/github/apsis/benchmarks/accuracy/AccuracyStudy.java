@@ -1,5 +1,6 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.benchmarks.ContactMode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -209,7 +210,7 @@ public final class AccuracyStudy {
             results.robust.add(broken);
         }
         for (RobustCase input : folder.robust()) {
-            results.robust.add(new RobustRun(input, mostTicks).run());
+            results.robust.add(new RobustRun(input, ContactMode.TICK, mostTicks).run());
         }
     }
 

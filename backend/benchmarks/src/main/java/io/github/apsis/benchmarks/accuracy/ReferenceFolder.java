@@ -19,7 +19,7 @@ final class ReferenceFolder {
     /** Kinds about contacts, which are measured elsewhere. */
     private static final Set<String> CONTACTS = Set.of("contact", "planet-drop", "outcomes");
 
-    private static final int DEFAULT_TICKS = 1500;
+    static final int DEFAULT_TICKS = 1500;
 
     private final List<NBodyCase> orbits = new ArrayList<>();
     private final List<ForceCase> forces = new ArrayList<>();

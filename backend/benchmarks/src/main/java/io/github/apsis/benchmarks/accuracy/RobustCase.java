@@ -86,6 +86,11 @@ record RobustCase(
                 .toArray();
     }
 
+    /** Whether it is about discs that touch, and nothing else. */
+    boolean isAboutContacts() {
+        return g == 0 && dt == null && (!bodies.isEmpty() || id.equals(RobustScene.CROWD));
+    }
+
     boolean asks(String name) {
         return check.hasNonNull(name);
     }

@@ -1,5 +1,6 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.benchmarks.ContactMode;
 import io.github.apsis.benchmarks.reference.Fraction;
 import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSnapshot;
@@ -35,11 +36,12 @@ final class RobustRun {
     /**
      * One input.
      *
+     * @param contacts how they are found, where it has any
      * @param mostTicks at which a run ends, whatever the case says
      */
-    RobustRun(RobustCase input, int mostTicks) {
+    RobustRun(RobustCase input, ContactMode contacts, int mostTicks) {
         this.input = input;
-        this.scene = new RobustScene(input);
+        this.scene = new RobustScene(input, contacts);
         this.ticks = Math.min(input.ticks(), mostTicks);
     }
 

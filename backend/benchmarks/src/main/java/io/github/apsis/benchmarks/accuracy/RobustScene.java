@@ -1,5 +1,6 @@
 package io.github.apsis.benchmarks.accuracy;
 
+import io.github.apsis.benchmarks.ContactMode;
 import io.github.apsis.benchmarks.accuracy.RobustCase.RawBody;
 import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSpec;
@@ -12,15 +13,20 @@ import java.util.List;
 
 /** The worlds that a hard input is tried in: its own bodies, or those that it describes in words. */
 final class RobustScene {
+    /** A case that says in words what its bodies are: discs on top of one another. */
+    static final String CROWD = "deep-overlap";
+
     private static final double EDGE = 1e3; // length, of the box around a scene with a floor
 
     /** What the pile falls in. */
     static final Aabb BOX = new Aabb(-3, 0, 3, 30);
 
     private final RobustCase input;
+    private final ContactMode contacts;
 
-    RobustScene(RobustCase input) {
+    RobustScene(RobustCase input, ContactMode contacts) {
         this.input = input;
+        this.contacts = contacts;
     }
 
     /** Length of a tick: the input's own, or a room's. */
@@ -40,8 +46,8 @@ final class RobustScene {
             spec.law(new UniformField(field[0], field[1]));
             spec.walls(new Aabb(-EDGE, 0, EDGE, EDGE), 0); // a floor, and the rest too far away to matter
         }
-        if (bodies.stream().anyMatch(body -> body.r() > 0)) {
-            spec.contacts(0);
+        if (input.g() == 0 || bodies.stream().anyMatch(body -> body.r() > 0)) {
+            contacts.on(spec, 0);
         }
         World world = new World(spec.build());
         for (RawBody body : bodies) {
@@ -52,7 +58,7 @@ final class RobustScene {
 
     /** For cases that describe their bodies in words: a crowd of discs, or the eccentric pair of the orbits. */
     private List<RawBody> invented(WorldSpec.Builder spec) {
-        if (input.id().equals("deep-overlap")) {
+        if (input.id().equals(CROWD)) {
             return crowd(50, 2);
         }
         spec.gravity(1);

@@ -54,6 +54,18 @@ public final class Json {
         throw new IllegalArgumentException(what + " is not a number: " + value);
     }
 
+    /** The numbers of a list. */
+    public static double[] numbers(JsonNode list, String what) {
+        if (!list.isArray()) {
+            throw new IllegalArgumentException(what + " is not in a list: " + list);
+        }
+        double[] numbers = new double[list.size()];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = valueOf(list.get(i), what);
+        }
+        return numbers;
+    }
+
     public static String text(JsonNode object, String name) {
         return field(object, name).asString("");
     }

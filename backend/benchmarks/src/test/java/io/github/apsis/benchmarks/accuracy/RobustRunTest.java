@@ -2,6 +2,7 @@ package io.github.apsis.benchmarks.accuracy;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.apsis.benchmarks.ContactMode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,7 +17,7 @@ class RobustRunTest {
     private RobustRow run(String oneCase) throws IOException {
         Files.writeString(folder.resolve("robust.json"), "{\"kind\": \"robust\", \"cases\": [" + oneCase + "]}");
         RobustCase input = ReferenceFolder.read(folder, id -> true).robust().get(0);
-        return new RobustRun(input, 20).run();
+        return new RobustRun(input, ContactMode.TICK, 20).run();
     }
 
     @Test
