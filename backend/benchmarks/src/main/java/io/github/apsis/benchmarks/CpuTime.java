@@ -54,6 +54,11 @@ public final class CpuTime {
         return micros[runs / 2];
     }
 
+    /** What one run takes, ns. */
+    public static long nanosOnce(Runnable work) {
+        return nanos(work, 1);
+    }
+
     private static long nanos(Runnable work, int times) {
         long before = THREADS.getCurrentThreadCpuTime();
         for (int i = 0; i < times; i++) {

@@ -26,6 +26,8 @@ class ArchitectureTest {
                     "picocli..",
                     "tools.jackson..",
                     "org.knowm.xchart..",
+                    "org.dyn4j..",
+                    "org.jbox2d..",
                     "org.jspecify.annotations..",
                     "com.sun.management..",
                     "javax.imageio..",
@@ -33,7 +35,12 @@ class ArchitectureTest {
 
     private static final ArchRule MEASURING_DOES_NOT_KNOW_THE_COMMAND_LINE = noClasses()
             .that()
-            .resideInAnyPackage("io.github.apsis.benchmarks", "io.github.apsis.benchmarks.accuracy..")
+            .resideInAnyPackage(
+                    "io.github.apsis.benchmarks",
+                    "io.github.apsis.benchmarks.accuracy..",
+                    "io.github.apsis.benchmarks.contacts..",
+                    "io.github.apsis.benchmarks.reference..",
+                    "io.github.apsis.benchmarks.report..")
             .should()
             .dependOnClassesThat(resideInAnyPackage("io.github.apsis.benchmarks.cli..", "picocli.."));
 

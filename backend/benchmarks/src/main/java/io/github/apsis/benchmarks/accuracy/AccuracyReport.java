@@ -106,6 +106,8 @@ final class AccuracyReport {
                 time. All methods run in one JVM. REBOUND is timed by its process's CPU time in the same way, and measured in \
                 extended precision: fixed steps once per unit of time too, the others at up to 1500 moments.""");
         page.paragraph("**" + results.summary() + ".**");
+        page.paragraph(
+                "Contacts have a chapter of their own: [time against error, beside dyn4j and JBox2D](contacts/README.md).");
         List<OrbitRow> bad = results.orbits.stream()
                 .filter(row -> Verdict.isBad(row.status()) || row.status().startsWith(Verdict.SKIPPED))
                 .toList();

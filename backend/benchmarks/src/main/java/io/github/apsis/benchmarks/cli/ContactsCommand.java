@@ -1,6 +1,7 @@
 package io.github.apsis.benchmarks.cli;
 
 import io.github.apsis.benchmarks.contacts.ContactStudy;
+import io.github.apsis.benchmarks.contacts.ContactStudy.Length;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
@@ -23,6 +24,12 @@ import picocli.CommandLine.Spec;
             "0:all is within tolerance",
             "1:a row is outside its tolerance or has failed",
             "2:the command makes no sense"
+        },
+        footer = {
+            "",
+            "With --out, contacts.csv goes there, and a page; without, the table goes to standard output.",
+            "The program's own cases are followed by the same scenes in dyn4j and JBox2D, with plots: ten minutes.",
+            "Progress goes to standard error."
         })
 final class ContactsCommand implements Callable<Integer> {
     @Spec
@@ -35,6 +42,15 @@ final class ContactsCommand implements Callable<Integer> {
             description = "Folder of cases in the reference format; without it, the cases that come with the program.")
     private @Nullable Path cases;
 
+    @Option(names = "--short", description = "Small scenes in the other engines: two minutes.")
+    private boolean quick;
+
+    @Option(
+            names = "--engines",
+            negatable = true,
+            description = "Compare with other engines, or do not. Without it: with --out, and without --cases.")
+    private @Nullable Boolean engines;
+
     @Option(names = "--out", paramLabel = "DIR", description = "Folder for everything that comes out.")
     private @Nullable Path out;
 
@@ -43,7 +59,7 @@ final class ContactsCommand implements Callable<Integer> {
         if (cases != null && !Files.isDirectory(cases)) {
             throw wrong("--cases must be a folder, was " + cases);
         }
-        var study = new ContactStudy(cases, this::tell);
+        var study = new ContactStudy(new ContactStudy.Options(cases, length()), this::tell);
         ContactStudy.Outcome outcome = outcomeOf(study);
         PrintWriter to = command.commandLine().getOut();
         if (out == null) {
@@ -52,6 +68,11 @@ final class ContactsCommand implements Callable<Integer> {
         to.println(outcome.summary());
         to.flush();
         return outcome.allWell() ? 0 : 1;
+    }
+
+    private Length length() {
+        boolean compares = engines == null ? cases == null : engines;
+        return !compares ? Length.NONE : quick ? Length.SHORT : Length.FULL;
     }
 
     private ContactStudy.Outcome outcomeOf(ContactStudy study) throws IOException {

@@ -38,19 +38,19 @@ final class ContactRun {
         World world = new World(known.spec(mode, dt()));
         BounceLog log = BounceLog.of(world, known.bodies());
         Conserved start = world.conserved();
-        var energy = new EnergyBalance(known, start);
+        var energy = new EnergyBalance(known, start, world.snapshot());
         var momentum = new MomentumBalance(start);
         var apexes = new Apexes(known);
         long end = (long) Math.ceil(known.watched() * perUnit) + 1; // one more: the last bounce may come late
         for (long tick = 1; tick <= end && finite; tick++) {
             world.step();
             Conserved now = world.conserved();
-            energy.tick(now);
             WorldSnapshot state = world.snapshot();
+            energy.tick(now, state);
             apexes.look(state, log.bounces().size());
             requireFinite(state);
             if (look(state, tick) || tick == end) {
-                energy.compare(now, world.time(), log.bounces());
+                energy.compare(now, state, world.time(), log.bounces());
             }
             momentum.tick(now);
         }

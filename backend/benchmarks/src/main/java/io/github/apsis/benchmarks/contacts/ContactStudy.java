@@ -14,18 +14,35 @@ import org.jspecify.annotations.Nullable;
 public final class ContactStudy {
     private static final long PATIENCE_SECONDS = 300; // of one case in one mode
 
-    private final @Nullable Path cases;
+    private final Options options;
     private final Consumer<String> progress;
     private final List<ContactRow> rows = new ArrayList<>();
 
     /**
-     * A study.
+     * What to run.
      *
      * @param cases a folder in the reference format; null for the cases that come with the program
+     * @param length of the comparison with other engines
+     */
+    public record Options(@Nullable Path cases, Length length) {}
+
+    /** How long the comparison with other engines takes. */
+    public enum Length {
+        /** Not at all. */
+        NONE,
+        /** Two minutes. */
+        SHORT,
+        /** Ten. */
+        FULL
+    }
+
+    /**
+     * A study.
+     *
      * @param progress is told each step, and each file that cannot be used
      */
-    public ContactStudy(@Nullable Path cases, Consumer<String> progress) {
-        this.cases = cases;
+    public ContactStudy(Options options, Consumer<String> progress) {
+        this.options = options;
         this.progress = progress;
     }
 
@@ -35,10 +52,11 @@ public final class ContactStudy {
     /**
      * Runs everything.
      *
-     * @param out where the table goes; null to write nothing
+     * @param out where the table, the page and its plots go; null to write nothing, and to compare nothing
      * @throws IllegalArgumentException when there is nothing to run
      */
     public Outcome run(@Nullable Path out) throws IOException {
+        Path cases = options.cases();
         ContactFolder folder = cases == null ? ContactFolder.shipped() : ContactFolder.read(cases);
         if (folder.jobs().isEmpty()) {
             throw new IllegalArgumentException("There are no contact cases in that folder.");
@@ -54,9 +72,14 @@ public final class ContactStudy {
         String table = Csv.file(ContactRow.HEADER, rows.stream().map(ContactRow::csv));
         if (out != null) {
             Files.createDirectories(out);
-            Files.writeString(out.resolve("contacts.csv"), table);
+            Files.writeString(out.resolve("contacts.csv"), table); // before what takes long
+            var others = new Comparison(progress);
+            if (options.length() != Length.NONE) {
+                others.run(options.length(), ContactFolder.shipped().contacts());
+            }
+            new ContactReport(rows, others, ContactReport.summary(rows)).write(out, progress);
         }
-        return new Outcome(table, summary(), rows.stream().noneMatch(ContactRow::isBad));
+        return new Outcome(table, ContactReport.summary(rows), rows.stream().noneMatch(ContactRow::isBad));
     }
 
     private void run(ContactFolder.Job job, ContactMode mode) {
@@ -72,20 +95,5 @@ public final class ContactStudy {
             progress.accept("%s, %s: %s".formatted(row.caseId(), mode.label(), row.status()));
         }
         rows.addAll(found);
-    }
-
-    private String summary() {
-        List<String> modes = new ArrayList<>();
-        for (ContactMode mode : ContactMode.values()) {
-            modes.add("%s: %d of %d ok"
-                    .formatted(
-                            mode.label(),
-                            rows.stream()
-                                    .filter(row ->
-                                            row.mode() == mode && row.status().equals(ContactVerdict.OK))
-                                    .count(),
-                            rows.stream().filter(row -> row.mode() == mode).count()));
-        }
-        return "contacts, " + String.join("; ", modes);
     }
 }

@@ -13,6 +13,7 @@ final class ContactVerdict {
     static final String SKIPPED = "skipped: ";
 
     private static final double MOMENTUM_KEPT = 1e-14;
+    private static final double MOMENTUM_KEPT_BY_TICKS = 1e-15; // times the root of their number: a walk of roundings
     private static final double ENERGY_KEPT = 1e-13;
     private static final double HEAD_ON = 1e-12;
 
@@ -23,7 +24,7 @@ final class ContactVerdict {
             return FAILED + "a body is lost, or no number any more";
         }
         boolean swings = mode == ContactMode.TICK && known.g() != 0; // as any symplectic method under gravity does
-        String broken = always(known, errors, swings);
+        String broken = always(known, errors, swings, mode == ContactMode.TICK ? walked(known, dt) : MOMENTUM_KEPT);
         if (broken.isEmpty()) {
             broken = mode == ContactMode.EXACT ? exact(errors) : tick(known, errors, dt);
         }
@@ -34,20 +35,24 @@ final class ContactVerdict {
         return status.startsWith(OUTSIDE) || status.startsWith(FAILED);
     }
 
-    private static String always(ContactCase known, ContactErrors errors, boolean energySwings) {
-        if (errors.momentum() > MOMENTUM_KEPT) {
-            return compared("momentum", errors.momentum(), MOMENTUM_KEPT);
+    private static String always(ContactCase known, ContactErrors errors, boolean energySwings, double momentum) {
+        if (!(errors.momentum() <= momentum)) {
+            return compared("momentum", errors.momentum(), momentum);
         }
         if (energySwings) {
             return "";
         }
-        if (errors.energyGain() > ENERGY_KEPT) {
+        if (!(errors.energyGain() <= ENERGY_KEPT)) {
             return compared("energy gained", errors.energyGain(), ENERGY_KEPT);
         }
         if (known.isElastic() && !(Math.abs(errors.energyChange()) <= ENERGY_KEPT)) {
             return compared("energy", Math.abs(errors.energyChange()), ENERGY_KEPT);
         }
         return "";
+    }
+
+    private static double walked(ContactCase known, double dt) {
+        return Math.max(MOMENTUM_KEPT, MOMENTUM_KEPT_BY_TICKS * Math.sqrt(known.end() / dt));
     }
 
     // --- exact contacts: everything as the case says ---

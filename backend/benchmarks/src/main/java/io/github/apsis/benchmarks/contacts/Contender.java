@@ -1,0 +1,48 @@
+package io.github.apsis.benchmarks.contacts;
+
+import io.github.apsis.benchmarks.ContactMode;
+import java.util.List;
+import java.util.function.Function;
+import org.dyn4j.dynamics.ContinuousDetectionMode;
+
+/** An engine in one of its settings, as a way to run a scene. */
+enum Contender {
+    APSIS_TICK("Apsis, tick", scene -> new ApsisDiscs(scene, ContactMode.TICK)),
+    APSIS_EXACT("Apsis, exact", scene -> new ApsisDiscs(scene, ContactMode.EXACT)),
+    DYN4J("dyn4j 6.0.0", scene -> new Dyn4jDiscs(scene, ContinuousDetectionMode.ALL, Dyn4jDiscs.Speeds.CLAMPED)),
+    DYN4J_BULLETS_ONLY(
+            "dyn4j 6.0.0, bullets only",
+            scene -> new Dyn4jDiscs(scene, ContinuousDetectionMode.BULLETS_ONLY, Dyn4jDiscs.Speeds.CLAMPED)),
+    DYN4J_DISCRETE(
+            "dyn4j 6.0.0, discrete",
+            scene -> new Dyn4jDiscs(scene, ContinuousDetectionMode.NONE, Dyn4jDiscs.Speeds.CLAMPED)),
+    DYN4J_ANY_SPEED(
+            "dyn4j 6.0.0, no speed limit",
+            scene -> new Dyn4jDiscs(scene, ContinuousDetectionMode.ALL, Dyn4jDiscs.Speeds.ANY)),
+    JBOX2D("JBox2D 2.2.1.1", JBox2dDiscs::new);
+
+    static final List<Contender> CROWDS = List.of(APSIS_TICK, APSIS_EXACT, DYN4J, DYN4J_DISCRETE, JBOX2D);
+    static final List<Contender> PILES = List.of(APSIS_TICK, APSIS_EXACT, DYN4J_BULLETS_ONLY, JBOX2D);
+    static final List<Contender> FEW = List.of(APSIS_TICK, APSIS_EXACT, DYN4J, JBOX2D);
+    static final List<Contender> BULLETS = List.of(APSIS_TICK, APSIS_EXACT, DYN4J, DYN4J_ANY_SPEED, JBOX2D);
+
+    private final String label;
+    private final Function<DiscScene, DiscEngine> engine;
+
+    Contender(String label, Function<DiscScene, DiscEngine> engine) {
+        this.label = label;
+        this.engine = engine;
+    }
+
+    String label() {
+        return label;
+    }
+
+    boolean isOurs() {
+        return this == APSIS_TICK || this == APSIS_EXACT;
+    }
+
+    DiscEngine run(DiscScene scene) {
+        return engine.apply(scene);
+    }
+}

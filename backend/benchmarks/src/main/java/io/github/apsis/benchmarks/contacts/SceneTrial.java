@@ -1,0 +1,64 @@
+package io.github.apsis.benchmarks.contacts;
+
+import io.github.apsis.benchmarks.CpuTime;
+import io.github.apsis.engine.math.CompensatedSum;
+import java.util.Arrays;
+
+/**
+ * Runs a scene in an engine, times each step by itself, and looks every ten steps how deep discs are in each other. A run that
+ * takes too long stops where it is and says so.
+ *
+ * @param steps of the whole run
+ * @param timedFrom the first step that counts: before, compilers are busy and piles are in the air
+ */
+record SceneTrial(DiscScene scene, int steps, int timedFrom) {
+    private static final int LOOK_EVERY = 10;
+    private static final long MOST_NANOS = 60_000_000_000L;
+
+    SceneRow run(Contender contender) {
+        DiscEngine engine = contender.run(scene);
+        double start = kinetic(engine);
+        double deepest = 0;
+        long[] nanos = new long[steps];
+        long spent = 0;
+        int done = 0;
+        while (done < steps && spent < MOST_NANOS && !Thread.currentThread().isInterrupted()) {
+            nanos[done] = CpuTime.nanosOnce(engine::step);
+            spent += nanos[done];
+            done++;
+            if (done % LOOK_EVERY == 0) {
+                deepest = Math.max(deepest, Overlaps.of(scene, engine).deepest());
+            }
+        }
+        Overlaps end = Overlaps.of(scene, engine);
+        long[] timed = Arrays.copyOfRange(nanos, done > timedFrom ? timedFrom : done / 2, done);
+        Arrays.sort(timed);
+        double kinetic = kinetic(engine);
+        return new SceneRow(
+                scene.name(),
+                scene.discs().size(),
+                contender,
+                done,
+                timed[timed.length / 2] * 1e-3,
+                timed[(int) Math.min(timed.length - 1L, timed.length * 99L / 100)] * 1e-3,
+                scene.restitution() == 1 && start > 0 ? kinetic / start - 1 : Double.NaN,
+                Math.max(deepest, end.deepest()),
+                end.deepest(),
+                end.mean(),
+                Math.sqrt(2 * kinetic / mass()),
+                done < steps ? "stopped after " + MOST_NANOS / 1_000_000_000 + " s" : "");
+    }
+
+    private double kinetic(DiscEngine engine) {
+        var sum = new CompensatedSum();
+        for (int i = 0; i < scene.discs().size(); i++) {
+            double v2 = engine.vx(i) * engine.vx(i) + engine.vy(i) * engine.vy(i);
+            sum.add(0.5 * scene.discs().get(i).mass() * v2);
+        }
+        return sum.value();
+    }
+
+    private double mass() {
+        return scene.discs().stream().mapToDouble(DiscScene.Disc::mass).sum();
+    }
+}
