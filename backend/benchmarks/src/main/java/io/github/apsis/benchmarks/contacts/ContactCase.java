@@ -259,6 +259,12 @@ record ContactCase(
                         : 0);
     }
 
+    /** What a uniform field gives to all bodies until the end, mass · length / time. */
+    double fieldImpulse() {
+        double mass = bodies.stream().mapToDouble(BodyDef::mass).sum();
+        return mass * Math.hypot(fieldX, fieldY) * end();
+    }
+
     /** The shortest time between two bounces; infinite where there are not two. */
     double shortestFlight() {
         double shortest = Double.POSITIVE_INFINITY;

@@ -77,14 +77,14 @@ final class ContactReport {
                 - `max_time_error`: largest \\|t − t_ref\\| of those, in units of time.
                 - `max_position_error`: largest distance of a body from its true place at a sample, or of an apex from its true height, \
                 divided by the case's length scale (of a planet drop: by the distance at its start).
-                - `max_velocity_error`: largest difference of a velocity at a sample, or of a closing speed at a bounce, divided by the \
-                velocity scale (of a planet drop: by the fastest bounce). Of outcomes: of a velocity after the contact, divided by the \
+                - `max_velocity_error`: largest difference of a velocity at a sample, divided by the velocity scale; where a case has no \
+                samples, of a closing speed at a bounce (of a planet drop: divided by the fastest). Of outcomes: of a velocity after the contact, divided by the \
                 fastest before.
-                - `energy_change`: energy at the end less that at the start, plus what the case's bounces take, Σ (1 − e²) c² μ / 2 (c \
+                - `energy_change`: energy at a sample less that at the start, plus what the case's bounces take, Σ (1 − e²) c² μ / 2 (c \
                 closing speed, μ reduced mass), divided by the largest kinetic energy of the run; where nothing may be lost, the largest \
                 over all ticks. Of outcomes: kinetic energy less that of the outcome, divided by that at the start.
                 - `momentum_error`: largest \\|p − p₀ − J\\| over all ticks, J by the world's books of walls and fields, divided by the \
-                largest Σ m\\|v\\| of the run.""");
+                largest Σ m\\|v\\| of the run and what a uniform field gives in it, Σ m\\|g\\| T.""");
         page.paragraph(
                 """
                 `status` is by the rules of the format. Exact: order, times, places and velocities within 1e-12 × amplification (a \

@@ -25,14 +25,10 @@ record ContactRow(
                 errors.order().cell(),
                 errors.order().time().largest(),
                 errors.position().largest(),
-                larger(errors.velocity().largest(), errors.order().closing().largest()),
+                errors.velocities().largest(),
                 errors.energyChange(),
                 errors.momentum(),
                 status);
-    }
-
-    private static double larger(double a, double b) {
-        return Double.isNaN(a) || b > a ? b : a;
     }
 
     /** A row of a case of which only a status is known. */

@@ -39,9 +39,10 @@ final class ContactRun {
         BounceLog log = BounceLog.of(world, known.bodies());
         Conserved start = world.conserved();
         var energy = new EnergyBalance(known, start, world.snapshot());
-        var momentum = new MomentumBalance(start);
+        var momentum = new MomentumBalance(start, known.fieldImpulse());
         var apexes = new Apexes(known);
         long end = (long) Math.ceil(known.watched() * perUnit) + 1; // one more: the last bounce may come late
+        long last = (long) Math.floor(known.end() * perUnit); // of which the case knows every bounce before
         for (long tick = 1; tick <= end && finite; tick++) {
             world.step();
             Conserved now = world.conserved();
@@ -49,7 +50,7 @@ final class ContactRun {
             energy.tick(now, state);
             apexes.look(state, log.bounces().size());
             requireFinite(state);
-            if (look(state, tick) || tick == end) {
+            if (look(state, tick) || tick == last) {
                 energy.compare(now, state, world.time(), log.bounces());
             }
             momentum.tick(now);

@@ -65,13 +65,10 @@ final class ContactVerdict {
         if (order.time().isBeyond()) {
             return order.time().complaint("time of a bounce");
         }
-        if (order.closing().isBeyond()) {
-            return order.closing().complaint("closing speed");
-        }
         if (errors.position().isBeyond()) {
             return errors.position().complaint("position");
         }
-        return errors.velocity().isBeyond() ? errors.velocity().complaint("velocity") : "";
+        return errors.velocities().isBeyond() ? errors.velocities().complaint("velocity") : "";
     }
 
     // --- contacts by ticks: what the format asks of pairs, bullets and drops ---

@@ -33,7 +33,7 @@ final class OutcomeRun {
         known.bodies().forEach(world::add);
         WorldSnapshot before = world.snapshot();
         Conserved start = world.conserved();
-        var momentum = new MomentumBalance(start);
+        var momentum = new MomentumBalance(start, 0);
         long ticks = (long) Math.ceil(LENGTHS * known.extent() / known.fastest() / dt);
         for (long tick = 0; tick < ticks; tick++) {
             world.step();

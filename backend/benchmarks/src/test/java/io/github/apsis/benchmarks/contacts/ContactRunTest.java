@@ -51,7 +51,6 @@ class ContactRunTest {
             delimiter = '|',
             value = {
                 "\"t\": \"1.5\" | \"t\": \"1.500001\" | time of a bounce 1.0e-06 > 1.0e-12 at t=1.500001",
-                "\"vn\": -1 | \"vn\": -1.5 | closing speed 5.0e-01 > 1.0e-12 at t=1.5",
                 "[1.75, 0, | [1.75, 1e-6, | position 1.0e-06 > 1.0e-12 at t=2.5",
                 "0.75, 0]] | 0.7, 0]] | velocity 5.0e-02 > 1.0e-12 at t=2.5",
                 "\"i\": 1, \"j\": 0 | \"i\": 1, \"j\": \"w0\" | bounce 1 is of 0 and 1 at t=1.5 and not of 1 and wall 0 at 1.5",
