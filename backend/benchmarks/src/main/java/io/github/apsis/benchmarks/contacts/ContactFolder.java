@@ -63,10 +63,11 @@ final class ContactFolder {
             case "outcomes" -> Json.field(root, "cases").forEach(setup -> addOutcomes(id, setup));
             case "robust" -> jobs.add(new Job(id, mode -> hardContacts(id, root, mode)));
             default -> {
-                if (!ELSEWHERE.contains(kind)) {
+                if (ELSEWHERE.contains(kind)) {
+                    others++;
+                } else {
                     refuse(id, ContactVerdict.SKIPPED + "the kind \"" + kind + "\" is not known here");
                 }
-                others++;
             }
         }
     }
