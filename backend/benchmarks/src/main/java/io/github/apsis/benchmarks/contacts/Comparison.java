@@ -9,7 +9,9 @@ import java.util.function.Supplier;
 
 /** The same scenes in our modes and in other engines, one after the other in this JVM. */
 final class Comparison {
-    private static final long PATIENCE_SECONDS = 180;
+    private static final long PATIENCE_SECONDS = 300; // by the clock, of one engine in one scene
+    private static final int MOST_SECONDS = 60; // of CPU time: dyn4j and JBox2D need 30 for a pile of 5000
+    private static final int FEW_SECONDS = 15;
     private static final int[] TICKS_PER_UNIT = {50, 100, 200, 400, 800, 1600};
     private static final List<String> TICK_CASES = List.of("pair-head-on-e10", "pair-oblique-e10", "gas100");
     private static final double TICK_CASE_END = 1; // later a gas amplifies whatever it is given
@@ -28,7 +30,7 @@ final class Comparison {
 
     void run(Length length, List<ContactCase> cases) {
         ticks(cases);
-        Contender.FEW.forEach(engine -> scene(new SceneTrial(DiscScenes.chain(), 450, 90), engine));
+        trials(Contender.FEW, new SceneTrial(DiscScenes.chain(), 450, 90, FEW_SECONDS));
         for (Contender engine : Contender.FEW) {
             cradles(engine);
         }
@@ -78,25 +80,25 @@ final class Comparison {
     }
 
     private void gases(Length length) {
-        boolean isShort = length == Length.SHORT;
-        for (Contender engine : Contender.CROWDS) {
-            scene(new SceneTrial(DiscScenes.gas(1000), isShort ? 300 : 1500, isShort ? 100 : 300), engine);
-        }
-        if (!isShort) {
-            Contender.CROWDS.forEach(engine -> scene(new SceneTrial(DiscScenes.gas(5000), 600, 150), engine));
+        if (length == Length.SHORT) {
+            trials(Contender.CROWDS, new SceneTrial(DiscScenes.gas(1000), 300, 100, FEW_SECONDS));
+        } else {
+            trials(Contender.CROWDS, new SceneTrial(DiscScenes.gas(1000), 1500, 300, MOST_SECONDS));
+            trials(Contender.CROWDS, new SceneTrial(DiscScenes.gas(5000), 600, 150, MOST_SECONDS));
         }
     }
 
     private void piles(Length length) {
-        boolean isShort = length == Length.SHORT;
-        for (Contender engine : Contender.PILES) {
-            scene(
-                    new SceneTrial(DiscScenes.pile(isShort ? 200 : 1000), isShort ? 600 : 1500, isShort ? 480 : 1200),
-                    engine);
+        if (length == Length.SHORT) {
+            trials(Contender.PILES, new SceneTrial(DiscScenes.pile(200), 600, 480, FEW_SECONDS));
+        } else {
+            trials(Contender.PILES, new SceneTrial(DiscScenes.pile(1000), 1500, 1200, MOST_SECONDS));
+            trials(Contender.PILES, new SceneTrial(DiscScenes.pile(5000), 450, 360, MOST_SECONDS));
         }
-        if (!isShort) {
-            Contender.PILES.forEach(engine -> scene(new SceneTrial(DiscScenes.pile(5000), 450, 360), engine));
-        }
+    }
+
+    private void trials(List<Contender> engines, SceneTrial trial) {
+        engines.forEach(engine -> scene(trial, engine));
     }
 
     private void scene(SceneTrial trial, Contender engine) {

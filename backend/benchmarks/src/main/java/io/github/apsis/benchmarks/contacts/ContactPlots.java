@@ -65,7 +65,7 @@ final class ContactPlots {
         write(chart, "ticks-" + id + "-" + what);
     }
 
-    /** A line for each engine, from few bodies to many. */
+    /** A line for each engine, from few bodies to many; what stopped before its end is in the table alone. */
     private void scenes(String scene, String y, String what, ToDoubleFunction<SceneRow> error) throws IOException {
         var chart = new Chart(scene + ": " + what + " against time per tick, from few bodies to many", CPU, y);
         LOOKS.forEach((engine, look) -> add(
@@ -73,7 +73,9 @@ final class ContactPlots {
                 engine.label(),
                 engine,
                 results.scenes.stream()
-                        .filter(row -> row.scene().equals(scene) && row.engine() == engine)
+                        .filter(row -> row.scene().equals(scene)
+                                && row.engine() == engine
+                                && row.note().isEmpty())
                         .map(row -> new double[] {row.micros(), error.applyAsDouble(row)})
                         .toList()));
         write(chart, scene + "-" + what);

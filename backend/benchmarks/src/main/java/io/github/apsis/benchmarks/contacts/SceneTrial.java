@@ -10,10 +10,11 @@ import java.util.Arrays;
  *
  * @param steps of the whole run
  * @param timedFrom the first step that counts: before, compilers are busy and piles are in the air
+ * @param mostSeconds of CPU time
  */
-record SceneTrial(DiscScene scene, int steps, int timedFrom) {
+record SceneTrial(DiscScene scene, int steps, int timedFrom, int mostSeconds) {
     private static final int LOOK_EVERY = 10;
-    private static final long MOST_NANOS = 60_000_000_000L;
+    private static final long NANOS = 1_000_000_000;
 
     SceneRow run(Contender contender) {
         DiscEngine engine = contender.run(scene);
@@ -22,7 +23,9 @@ record SceneTrial(DiscScene scene, int steps, int timedFrom) {
         long[] nanos = new long[steps];
         long spent = 0;
         int done = 0;
-        while (done < steps && spent < MOST_NANOS && !Thread.currentThread().isInterrupted()) {
+        while (done < steps
+                && spent < mostSeconds * NANOS
+                && !Thread.currentThread().isInterrupted()) {
             nanos[done] = CpuTime.nanosOnce(engine::step);
             spent += nanos[done];
             done++;
@@ -46,7 +49,7 @@ record SceneTrial(DiscScene scene, int steps, int timedFrom) {
                 end.deepest(),
                 end.mean(),
                 Math.sqrt(2 * kinetic / mass()),
-                done < steps ? "stopped after " + MOST_NANOS / 1_000_000_000 + " s" : "");
+                done < steps ? "stopped after " + mostSeconds + " s" : "");
     }
 
     private double kinetic(DiscEngine engine) {

@@ -21,7 +21,7 @@ class DiscEnginesTest {
     @ParameterizedTest
     @EnumSource
     void a_gas_stays_in_its_box_and_keeps_its_energy(Contender engine) {
-        SceneRow row = new SceneTrial(DiscScenes.gas(50), 60, 20).run(engine);
+        SceneRow row = new SceneTrial(DiscScenes.gas(50), 60, 20, 60).run(engine);
 
         assertThat(row.energyDrift()).isCloseTo(0, within(engine.isOurs() ? 1e-13 : 0.1));
         assertThat(row.deepest()).isLessThan(1);
@@ -32,10 +32,18 @@ class DiscEnginesTest {
     @ParameterizedTest
     @EnumSource
     void a_pile_falls_and_stays_above_the_floor(Contender engine) {
-        SceneRow row = new SceneTrial(DiscScenes.pile(9), 150, 100).run(engine);
+        SceneRow row = new SceneTrial(DiscScenes.pile(9), 150, 100, 60).run(engine);
 
         assertThat(row.speedEnd()).isLessThan(10); // from 40 at the floor
         assertThat(row.deepestEnd()).isLessThan(0.5);
+    }
+
+    @Test
+    void a_run_that_takes_too_long_says_where_it_stopped() {
+        SceneRow row = new SceneTrial(DiscScenes.gas(500), 1_000_000, 10, 1).run(Contender.APSIS_TICK);
+
+        assertThat(row.steps()).isBetween(1, 999_999);
+        assertThat(row.note()).isEqualTo("stopped after 1 s");
     }
 
     @ParameterizedTest
