@@ -12,7 +12,7 @@ public enum ContactMode {
             return spec.contacts(restitution);
         }
     },
-    /** From true contact to true contact. */
+    /** From true contact to true contact. The engine is to get it; until then nothing is reported of it. */
     EXACT {
         @Override
         public WorldSpec.Builder on(WorldSpec.Builder spec, double restitution) {
@@ -22,6 +22,11 @@ public enum ContactMode {
 
     /** Gives a world contacts of this kind and restitution. */
     public abstract WorldSpec.Builder on(WorldSpec.Builder spec, double restitution);
+
+    /** Whether the engine has it. */
+    public boolean isBuilt() {
+        return this == TICK;
+    }
 
     /** As tables name it. */
     public String label() {

@@ -1,6 +1,7 @@
 package io.github.apsis.benchmarks.contacts;
 
 import io.github.apsis.benchmarks.ContactMode;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import org.dyn4j.dynamics.ContinuousDetectionMode;
@@ -21,10 +22,10 @@ enum Contender {
             scene -> new Dyn4jDiscs(scene, ContinuousDetectionMode.ALL, Dyn4jDiscs.Speeds.ANY)),
     JBOX2D("JBox2D 2.2.1.1", JBox2dDiscs::new);
 
-    static final List<Contender> CROWDS = List.of(APSIS_TICK, APSIS_EXACT, DYN4J, DYN4J_DISCRETE, JBOX2D);
-    static final List<Contender> PILES = List.of(APSIS_TICK, APSIS_EXACT, DYN4J_BULLETS_ONLY, JBOX2D);
-    static final List<Contender> FEW = List.of(APSIS_TICK, APSIS_EXACT, DYN4J, JBOX2D);
-    static final List<Contender> BULLETS = List.of(APSIS_TICK, APSIS_EXACT, DYN4J, DYN4J_ANY_SPEED, JBOX2D);
+    static final List<Contender> CROWDS = besideUs(DYN4J, DYN4J_DISCRETE, JBOX2D);
+    static final List<Contender> PILES = besideUs(DYN4J_BULLETS_ONLY, JBOX2D);
+    static final List<Contender> FEW = besideUs(DYN4J, JBOX2D);
+    static final List<Contender> BULLETS = besideUs(DYN4J, DYN4J_ANY_SPEED, JBOX2D);
 
     private final String label;
     private final Function<DiscScene, DiscEngine> engine;
@@ -32,6 +33,15 @@ enum Contender {
     Contender(String label, Function<DiscScene, DiscEngine> engine) {
         this.label = label;
         this.engine = engine;
+    }
+
+    private static List<Contender> besideUs(Contender... others) {
+        List<Contender> all = new ArrayList<>(List.of(APSIS_TICK));
+        if (ContactMode.EXACT.isBuilt()) {
+            all.add(APSIS_EXACT);
+        }
+        all.addAll(List.of(others));
+        return all;
     }
 
     String label() {
