@@ -12,10 +12,16 @@ import org.jspecify.annotations.Nullable;
  * {@link #settle} when it has finished.
  */
 public final class ContactSolver {
+    /** Bodies that are held off into others push those on: so far a push is followed in one tick. */
+    private static final int MOST_HOLDS = 4;
+
     private final Paths paths = new Paths();
+    private final Touching touching = new Touching();
     private final Impacts impacts;
     private final RestingContacts resting;
     private final @Nullable WallStop stop;
+    private double[] beforeX = new double[16];
+    private double[] beforeY = new double[16];
 
     /**
      * @param restitution between bodies; empty when they do not collide with each other
@@ -26,7 +32,6 @@ public final class ContactSolver {
         double wallRestitution = wallRestitution(boundary);
         var period = boundary instanceof Boundary.Periodic p ? new Period(p.box()) : null;
         var broadPhase = restitution.isPresent() ? new BroadPhase(period) : null;
-        var touching = new Touching();
         var approach = new Approach(paths, new ContactGeometry(walls, period), touching);
         impacts = new Impacts(
                 restitution.orElse(0), wallRestitution, broadPhase, walls, period, paths, approach, touching);
@@ -55,10 +60,28 @@ public final class ContactSolver {
     /** Bends the paths at every contact. */
     public void resolve(Bodies bodies) {
         impacts.resolve(bodies);
-        resting.hold(bodies, paths.dt());
+        if (touching.size() > 0) {
+            hold(bodies);
+        }
         if (stop != null) {
             stop.stop(bodies, paths.dt());
         }
+    }
+
+    private void hold(Bodies bodies) {
+        if (bodies.count() > beforeX.length) {
+            beforeX = new double[Math.max(bodies.count(), 2 * beforeX.length)];
+            beforeY = new double[beforeX.length];
+        }
+        bodies.copyPositions(beforeX, beforeY);
+        int held = touching.size();
+        resting.hold(bodies, paths.dt());
+        for (int time = 1; time < MOST_HOLDS && impacts.findIntruders(bodies, beforeX, beforeY); time++) {
+            bodies.copyPositions(beforeX, beforeY);
+            resting.holdAgain(bodies, paths.dt(), held);
+            held = touching.size();
+        }
+        resting.part(bodies, paths.dt());
     }
 
     /** Leaves no pair at rest closing, when positions and velocities belong to the same time. */

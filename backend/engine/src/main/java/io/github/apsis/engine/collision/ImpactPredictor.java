@@ -12,6 +12,9 @@ final class ImpactPredictor {
     /** A gap below this share of the radii is none. */
     static final double CLOSED = 1e-7;
 
+    /** Neighbours were looked for so far beyond the end of a path, as a share of the radius. */
+    private static final double ALREADY_NEAR = 1e-3;
+
     private final @Nullable BroadPhase broadPhase;
     private final @Nullable WallSet walls;
     private final Paths paths;
@@ -83,6 +86,50 @@ final class ImpactPredictor {
                 predict(bodies, Math.min(i, other), Math.max(i, other));
             }
         }
+    }
+
+    /**
+     * Lists what bodies have been held off into: others, and walls, that were not in their way before.
+     *
+     * @param beforeX where all bodies ended before they were held
+     * @return whether there is any
+     */
+    boolean findIntruders(Bodies bodies, double[] beforeX, double[] beforeY) {
+        int before = touching.size();
+        for (int i = 0; i < bodies.count(); i++) {
+            double dx = bodies.x(i) - beforeX[i];
+            double dy = bodies.y(i) - beforeY[i];
+            double near = ALREADY_NEAR * bodies.radius(i) + Paths.acceleration(bodies, i, -1) * paths.dt() * paths.dt();
+            if (dx * dx + dy * dy > near * near) {
+                update(bodies, i);
+                intrude(bodies, i);
+            }
+        }
+        return touching.size() > before;
+    }
+
+    private void intrude(Bodies bodies, int i) {
+        for (int wall = -1; walls != null && wall > walls.end(); wall--) {
+            if (walls.gap(wall, bodies.x(i), bodies.y(i), bodies.radius(i)) < 0) {
+                rest(bodies, i, wall);
+            }
+        }
+        int hits = broadPhase == null ? 0 : broadPhase.findNear(bodies, paths, i);
+        for (int hit = 0; hit < hits; hit++) {
+            int a = Math.min(i, near(hit));
+            int b = Math.max(i, near(hit));
+            double sumOfRadii = bodies.radius(a) + bodies.radius(b);
+            if (a != b && sumOfRadii > 0) {
+                meeting.of(bodies, a, b);
+                if (meeting.lastDistance() < sumOfRadii * (1 - CLOSED)) {
+                    rest(bodies, a, b);
+                }
+            }
+        }
+    }
+
+    private int near(int hit) {
+        return broadPhase == null ? -1 : broadPhase.near(hit);
     }
 
     /** Looks whether two bodies meet on their present paths. */

@@ -93,6 +93,11 @@ final class Impacts {
         }
     }
 
+    /** Lists what bodies have been held off into; see {@link ImpactPredictor#findIntruders}. */
+    boolean findIntruders(Bodies bodies, double[] beforeX, double[] beforeY) {
+        return predictor.findIntruders(bodies, beforeX, beforeY);
+    }
+
     private boolean isCurrent() {
         return queue.firstVersion() == paths.impacts(queue.first())
                 && queue.secondVersion() == paths.impacts(queue.second());

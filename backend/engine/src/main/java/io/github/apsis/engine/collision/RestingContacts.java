@@ -59,7 +59,7 @@ final class RestingContacts {
         this.parting = new Parting(touching, contact);
     }
 
-    /** Keeps every pair from ending the tick deeper in each other, then parts old overlaps. */
+    /** Keeps every pair from ending the tick deeper in each other. */
     void hold(Bodies bodies, double dt) {
         if (touching.size() == 0) {
             return;
@@ -67,10 +67,41 @@ final class RestingContacts {
         solver.begin(touching.size(), bodies);
         for (int k = 0; k < touching.size(); k++) {
             straighten(bodies, k, dt);
-            int a = touching.first(k);
-            int b = touching.second(k);
-            solver.add(a, b, touching.normalX(k), touching.normalY(k), guess(bodies, k, dt));
+            add(k, guess(bodies, k, dt));
         }
+        holdAll(bodies, dt);
+        for (int k = 0; k < touching.size(); k++) {
+            touching.setHolding(k, solver.impulse(k));
+        }
+    }
+
+    /** Holds once more, when bodies were held off into others that were not in their way: those contacts come after the first. */
+    void holdAgain(Bodies bodies, double dt, int before) {
+        solver.begin(touching.size(), bodies);
+        for (int k = 0; k < touching.size(); k++) {
+            if (k >= before) {
+                straighten(bodies, k, dt);
+            }
+            add(k, 0);
+        }
+        holdAll(bodies, dt);
+        for (int k = 0; k < touching.size(); k++) {
+            touching.setHolding(k, (k < before ? touching.holding(k) : 0) + solver.impulse(k));
+        }
+    }
+
+    /** Parts old overlaps. */
+    void part(Bodies bodies, double dt) {
+        if (touching.size() > 0) {
+            parting.part(bodies, dt, mostRounds(touching.size()));
+        }
+    }
+
+    private void add(int k, double guess) {
+        solver.add(touching.first(k), touching.second(k), touching.normalX(k), touching.normalY(k), guess);
+    }
+
+    private void holdAll(Bodies bodies, double dt) {
         work = 0;
         workThere = 0;
         pushHolding(bodies, dt);
@@ -78,8 +109,8 @@ final class RestingContacts {
         boolean found = true;
         for (int look = 0; look < LOOKS && found; look++) {
             double rounding = measureGaps(bodies, dt);
-            int rounds = solver.solve(TOLERANCE * solver.size(), rounding, bearable, mostRounds());
-            found = rounds > 0 && rounds < mostRounds();
+            int rounds = solver.solve(TOLERANCE * solver.size(), rounding, bearable, mostRounds(solver.size()));
+            found = rounds > 0 && rounds < mostRounds(solver.size());
             if (rounds > 0) {
                 pushHolding(bodies, dt);
             }
@@ -87,10 +118,6 @@ final class RestingContacts {
         if (work > NO_WORK * workThere) {
             holdFlat(bodies, dt);
         }
-        for (int k = 0; k < touching.size(); k++) {
-            touching.setHolding(k, solver.impulse(k));
-        }
-        parting.part(bodies, dt, mostRounds());
     }
 
     /** What held a contact in the last tick, unless that stopped a blow: it would throw the bodies out of each other's sight. */
@@ -134,7 +161,7 @@ final class RestingContacts {
             solver.measured(k, separating + Math.max(0, touching.firstGap(k)) / dt);
             fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
         }
-        if (solver.solve(TOLERANCE * solver.size(), ROUNDING * fastest, mostRounds()) > 0) {
+        if (solver.solve(TOLERANCE * solver.size(), ROUNDING * fastest, mostRounds(solver.size())) > 0) {
             pushHolding(bodies, dt);
         }
     }
@@ -147,7 +174,7 @@ final class RestingContacts {
         gather(bodies);
         pushSettling(bodies);
         double rounding = measureSpeeds(bodies);
-        if (solver.solve(TOLERANCE * solver.size(), rounding, mostRounds()) > 0) {
+        if (solver.solve(TOLERANCE * solver.size(), rounding, mostRounds(solver.size())) > 0) {
             pushSettling(bodies);
         }
         for (int k = 0; k < touching.size(); k++) {
@@ -168,8 +195,8 @@ final class RestingContacts {
         return smallest;
     }
 
-    private int mostRounds() {
-        int size = Math.max(1, solver.size());
+    private static int mostRounds(int contacts) {
+        int size = Math.max(1, contacts);
         return Math.max(FEWEST_ROUNDS, Math.min(WORK / size, ROUNDS_PER_CONTACT * size));
     }
 
