@@ -10,6 +10,7 @@ final class Approach {
     private final Paths paths;
     private final ContactGeometry contact;
     private final Touching touching;
+    private double closingRate;
     private double closingSpeed; // length / time, negative when they separate
 
     Approach(Paths paths, ContactGeometry contact, Touching touching) {
@@ -40,10 +41,18 @@ final class Approach {
             contact.turn(
                     bodies.x(b) - bodies.vx(b) * left - (bodies.x(a) - bodies.vx(a) * left),
                     bodies.y(b) - bodies.vy(b) * left - (bodies.y(a) - bodies.vy(a) * left));
-            double wx = paths.vxAt(bodies, b, t) - paths.vxAt(bodies, a, t);
-            double wy = paths.vyAt(bodies, b, t) - paths.vyAt(bodies, a, t);
-            closingSpeed = -(wx * contact.nx + wy * contact.ny);
         }
+        double wx = (b < 0 ? 0 : paths.vxAt(bodies, b, t)) - paths.vxAt(bodies, a, t);
+        double wy = (b < 0 ? 0 : paths.vyAt(bodies, b, t)) - paths.vyAt(bodies, a, t);
+        closingSpeed = -(wx * contact.nx + wy * contact.ny);
+        double lineX = contact.lineX;
+        double lineY = contact.lineY;
+        closingRate = -(wx * lineX + wy * lineY) / (lineX * lineX + lineY * lineY);
+    }
+
+    /** The closing velocity as a share of the line of the contact, which {@link #measureImpact} filled in; 1 / time. */
+    double closingRate() {
+        return closingRate;
     }
 
     ContactGeometry contact() {

@@ -12,6 +12,8 @@ final class ContactGeometry {
     private final @Nullable WallSet walls;
     private final @Nullable Period period;
 
+    double lineX; // along the normal, of any length: n without its root, whose rounding has a bias
+    double lineY;
     double nx;
     double ny;
     double gap; // length, negative when they overlap
@@ -27,6 +29,8 @@ final class ContactGeometry {
         if (b < 0 && walls != null) {
             nx = -walls.normalX(b);
             ny = -walls.normalY(b);
+            lineX = nx;
+            lineY = ny;
             gap = walls.gap(b, xa, ya, bodies.radius(a));
             inverseMass = bodies.inverseMass(a);
             return;
@@ -45,6 +49,8 @@ final class ContactGeometry {
 
     private void turn(double dx, double dy, double distance) {
         // Coincident centres have no line between them: the x axis is as good as any, and always the same.
+        lineX = distance > 0 ? dx : 1;
+        lineY = distance > 0 ? dy : 0;
         nx = distance > 0 ? dx / distance : 1;
         ny = distance > 0 ? dy / distance : 0;
     }

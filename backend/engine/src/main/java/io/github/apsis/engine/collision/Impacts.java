@@ -139,7 +139,7 @@ final class Impacts {
             approach.measureImpact(bodies, a, b, t);
             boolean inelastic = paths.mostImpacts(a, b) >= mostBounces || approach.isGentle(bodies, a, b);
             double e = inelastic ? 0 : b < 0 ? wallRestitution : restitution;
-            moment.measured(k, approach.contact(), approach.closingSpeed(), e);
+            moment.measured(k, approach, e);
         }
     }
 
@@ -151,8 +151,10 @@ final class Impacts {
         double impulse = moment.bounce(0) * closing / inverseMass;
         bodies.ledger().bookEnergy(impulse * (0.5 * impulse * inverseMass - closing));
         pass(bodies, 0, t, impulse);
-        double px = impulse * moment.normalX(0);
-        double py = impulse * moment.normalY(0);
+        // Not impulse · n: a million bounces of rounding in the root of n are 1e-12 of the energy.
+        double rate = moment.bounce(0) * approach.closingRate() / inverseMass;
+        double px = rate * approach.contact().lineX;
+        double py = rate * approach.contact().lineY;
         bend(bodies, a, t, -px * bodies.inverseMass(a), -py * bodies.inverseMass(a));
         predictor.predictNext(bodies, a, b);
         if (b >= 0) {

@@ -78,10 +78,10 @@ final class SimultaneousImpacts {
     }
 
     /** Tells how a contact closes in this moment. */
-    void measured(int k, ContactGeometry contact, double closing, double e) {
-        normalX[k] = contact.nx;
-        normalY[k] = contact.ny;
-        closingSpeed[k] = closing;
+    void measured(int k, Approach approach, double e) {
+        normalX[k] = approach.contact().nx;
+        normalY[k] = approach.contact().ny;
+        closingSpeed[k] = approach.closingSpeed();
         bounce[k] = 1 + e;
     }
 
