@@ -124,11 +124,10 @@ final class ImpulseSolver {
      * @param tolerance the speed by which a contact may miss what it should have, as a share of the most that one would miss
      *     without impulses
      * @param rounding the speed below which there is nothing to be found
-     * @param bearable the speed that may be missed after the usual rounds; a heap that misses more is given three times as many
-     * @param usualRounds after which the best so far has to do
+     * @param mostRounds after which the best so far has to do
      * @return how many rounds it took; 0 when the impulses were right
      */
-    int solve(double tolerance, double rounding, double bearable, int usualRounds) {
+    int solve(double tolerance, double rounding, int mostRounds) {
         double most = separate();
         double allowed = Math.max(rounding, tolerance * most);
         double error = error();
@@ -138,7 +137,7 @@ final class ImpulseSolver {
         double longest = 1.8 / largestRow();
         restart();
         int rounds = 0;
-        while (error > allowed && (rounds < usualRounds || error > bearable && rounds < 3 * usualRounds)) {
+        while (error > allowed && rounds < mostRounds) {
             rounds++;
             boolean moved = isProportional(longest) ? slide(longest) : release();
             if (!moved) {
@@ -148,11 +147,6 @@ final class ImpulseSolver {
         }
         limitEnergy();
         return rounds;
-    }
-
-    /** The same without more rounds than usual. */
-    int solve(double tolerance, double rounding, int mostRounds) {
-        return solve(tolerance, rounding, Double.POSITIVE_INFINITY, mostRounds);
     }
 
     /** The same from speeds that were measured without impulses. */

@@ -56,7 +56,7 @@ final class Parting {
             contact.fillNow(bodies, a, b);
             solver.add(a, b, contact.nx, contact.ny, touching.parting(k));
             double beyond = contact.gap + allowed(bodies, a, b, dt);
-            solver.measured(k, beyond < 0 ? SHARE * beyond : beyond);
+            solver.measured(k, beyond < 0 ? SHARE * beyond : Math.max(0, contact.gap));
         }
         solver.solveFrom(TOLERANCE, mostRounds);
         for (int k = 0; k < touching.size(); k++) {

@@ -20,16 +20,11 @@ final class RestingContacts {
     /** What an impulse may miss in one tick, as a share of what it takes off, times the contacts; the next tick goes on from there. */
     private static final double TOLERANCE = 1e-13;
 
-    /** Contacts times rounds: so few contacts are solved to the end, and a large pile over several ticks. */
-    private static final int WORK = 600_000;
-
-    private static final int FEWEST_ROUNDS = 100;
+    /** What they do not find, the next tick does, which goes on from there: so a large heap is solved over several ticks. */
+    private static final int MOST_ROUNDS = 200;
 
     /** Without rounding conjugate gradients would need one round for each contact that pushes, and as many for each that changes. */
     private static final int ROUNDS_PER_CONTACT = 20;
-
-    /** What a pair may sink into each other in a tick because the impulses of a heap are not found yet, as a share of the radii. */
-    private static final double BEARABLE = 1e-6;
 
     /** How far a guess may move a pair, as a share of its radii. */
     private static final double FARTHEST_GUESS = 0.1;
@@ -105,13 +100,12 @@ final class RestingContacts {
         work = 0;
         workThere = 0;
         pushHolding(bodies, dt);
-        double bearable = BEARABLE * smallestSize(bodies) / dt;
-        boolean found = true;
-        for (int look = 0; look < LOOKS && found; look++) {
+        boolean changed = true;
+        for (int look = 0; look < LOOKS && changed; look++) {
             double rounding = measureGaps(bodies, dt);
-            int rounds = solver.solve(TOLERANCE * solver.size(), rounding, bearable, mostRounds(solver.size()));
-            found = rounds > 0 && rounds < mostRounds(solver.size());
-            if (rounds > 0) {
+            int rounds = solver.solve(TOLERANCE * solver.size(), rounding, mostRounds(solver.size()));
+            changed = rounds > 0;
+            if (changed) {
                 pushHolding(bodies, dt);
             }
         }
@@ -185,19 +179,8 @@ final class RestingContacts {
         }
     }
 
-    /** The smallest sum of two radii. */
-    private double smallestSize(Bodies bodies) {
-        double smallest = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < touching.size(); k++) {
-            int b = touching.second(k);
-            smallest = Math.min(smallest, bodies.radius(touching.first(k)) + (b < 0 ? 0 : bodies.radius(b)));
-        }
-        return smallest;
-    }
-
     private static int mostRounds(int contacts) {
-        int size = Math.max(1, contacts);
-        return Math.max(FEWEST_ROUNDS, Math.min(WORK / size, ROUNDS_PER_CONTACT * size));
+        return Math.min(ROUNDS_PER_CONTACT * contacts, MOST_ROUNDS);
     }
 
     /** Measures how much each pair ends too deep; what the digits of positions cannot tell is returned as a speed. */
