@@ -27,6 +27,7 @@ import io.github.apsis.engine.integration.Integrator;
 import io.github.apsis.engine.integration.Pefrl;
 import io.github.apsis.engine.integration.SemiImplicitEuler;
 import io.github.apsis.engine.integration.Symplectic8;
+import io.github.apsis.engine.integration.TaylorStep;
 import io.github.apsis.engine.integration.VelocityVerlet;
 import io.github.apsis.engine.integration.Yoshida4;
 import io.github.apsis.engine.math.Period;
@@ -342,6 +343,7 @@ public final class World {
             fieldX += ((UniformField) law).gx();
             fieldY += ((UniformField) law).gy();
         }
-        return new AdaptiveTaylor(spec.gravity(), spec.softening(), fieldX, fieldY, spec.tolerance());
+        return new AdaptiveTaylor(
+                new TaylorStep(spec.gravity(), spec.softening(), fieldX, fieldY, spec.tolerance()));
     }
 }

@@ -370,6 +370,35 @@ final class GravitySeries {
         return true;
     }
 
+    // --- paths to look at ---
+
+    DensePath newPath() {
+        return new DensePath(order);
+    }
+
+    /** Copies the path of body j as it is seen from body i. */
+    void copyPath(int i, int j, DensePath path) {
+        int a = i * stride;
+        int b = j * stride;
+        path.begin(unit);
+        path.set(0, x[b] - x[a] + (low[6 * j] - low[6 * i]), y[b] - y[a] + (low[6 * j + 1] - low[6 * i + 1]));
+        path.set(
+                1,
+                x[b + 1] - x[a + 1] + (low[6 * j + 2] - low[6 * i + 2]),
+                y[b + 1] - y[a + 1] + (low[6 * j + 3] - low[6 * i + 3]));
+        for (int k = 2; k <= order; k++) {
+            path.set(k, x[b + k] - x[a + k], y[b + k] - y[a + k]);
+        }
+    }
+
+    /** Copies the path of a body. */
+    void copyPath(int i, DensePath path) {
+        path.begin(unit);
+        for (int k = 0; k <= order; k++) {
+            path.set(k, x[i * stride + k], y[i * stride + k]);
+        }
+    }
+
     // --- where it leads ---
 
     /** Puts all free bodies where they are a time t after the moment of the expansion. */

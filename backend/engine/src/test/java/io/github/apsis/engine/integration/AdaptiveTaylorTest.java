@@ -130,7 +130,7 @@ class AdaptiveTaylorTest {
         Bodies bodies = new Bodies();
         bodies.add(BodyDef.planet(-0.25, 0, 0.5, 0).moving(0, -0.866));
         bodies.add(BodyDef.planet(0.25, 0, 0.5, 0).moving(0, 0.866));
-        var integrator = new AdaptiveTaylor(1, 0, 0, 0, 1e-16);
+        var integrator = new AdaptiveTaylor(new TaylorStep(1, 0, 0, 0, 1e-16));
         var forces = new Forces(List.of(new DirectGravity(1, 0)));
 
         integrator.advance(bodies, forces, 1e6);
