@@ -4,12 +4,14 @@ import io.github.apsis.engine.CommandResult.Accepted;
 import io.github.apsis.engine.CommandResult.Reason;
 import io.github.apsis.engine.CommandResult.Rejected;
 import io.github.apsis.engine.WorldSpec.GravityMethod;
+import io.github.apsis.engine.WorldSpec.Integration;
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.body.Ledger;
 import io.github.apsis.engine.collision.Boundary;
 import io.github.apsis.engine.collision.ContactListener;
+import io.github.apsis.engine.collision.ContactMode;
 import io.github.apsis.engine.diagnostics.Conserved;
 import io.github.apsis.engine.diagnostics.ForceError;
 import io.github.apsis.engine.diagnostics.Resolution;
@@ -32,6 +34,8 @@ import io.github.apsis.engine.integration.VelocityVerlet;
 import io.github.apsis.engine.integration.Yoshida4;
 import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.steering.Steering;
+import io.github.apsis.engine.stepping.EventStepper;
+import io.github.apsis.engine.stepping.Stepper;
 import io.github.apsis.engine.stepping.TickStepper;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -51,8 +55,7 @@ public final class World {
     private final @Nullable ForceLaw gravity;
     private final Forces forces;
     private final Steering steering;
-    private final @Nullable AdaptiveTaylor adaptive;
-    private final TickStepper stepper;
+    private final Stepper stepper;
     private final List<Departure> departures = new ArrayList<>();
     private long tick;
 
@@ -61,9 +64,7 @@ public final class World {
         gravity = gravityOf(spec);
         forces = new Forces(lawsOf(gravity, spec));
         steering = steeringOf(spec);
-        Integrator integrator = integratorOf(spec);
-        adaptive = integrator instanceof AdaptiveTaylor taylor ? taylor : null;
-        stepper = new TickStepper(integrator, forces, spec.restitution(), spec.boundary(), spec.dt());
+        stepper = stepperOf(spec, forces);
     }
 
     /**
@@ -74,7 +75,7 @@ public final class World {
      */
     public void step() {
         if (spec.dt() > 0) {
-            if ((adaptive != null || stepper.hasContacts()) && !bodies.areWithinNumbers()) {
+            if (stepper.needsNumbers() && !bodies.areWithinNumbers()) {
                 letGo(); // powers of such a speed are beyond a series, and no wall holds it
             }
             adaptGravity();
@@ -241,12 +242,12 @@ public final class World {
 
     /** How often two points have fallen into each other and were turned round, by the adaptive method. */
     public long pointBounces() {
-        return adaptive == null ? 0 : adaptive.bounces();
+        return stepper.pointBounces();
     }
 
     /** The time that the bodies are behind the clock, since some ticks needed more steps than the adaptive method takes. */
     public double lostTime() {
-        return adaptive == null ? 0 : adaptive.lostTime();
+        return stepper.lostTime();
     }
 
     /** Ticks since the world began. */
@@ -325,6 +326,16 @@ public final class World {
         return new Steering(spec.slowingRadius(), spec.gravity(), spec.seed(), walls, period);
     }
 
+    /** Exact contacts of the adaptive method are found on its series, all others on the parabola of a tick. */
+    private static Stepper stepperOf(WorldSpec spec, Forces forces) {
+        if (spec.contactMode() == ContactMode.EXACT && spec.integration() == Integration.ADAPTIVE) {
+            double restitution = spec.restitution().orElseThrow();
+            return new EventStepper(seriesOf(spec), restitution, spec.boundary(), spec.dt());
+        }
+        return new TickStepper(
+                integratorOf(spec), forces, spec.restitution(), spec.contactMode(), spec.boundary(), spec.dt());
+    }
+
     private static Integrator integratorOf(WorldSpec spec) {
         return switch (spec.integration()) {
             case SEMI_IMPLICIT_EULER -> new SemiImplicitEuler();
@@ -332,18 +343,17 @@ public final class World {
             case YOSHIDA4 -> new Yoshida4();
             case PEFRL -> new Pefrl();
             case SYMPLECTIC8 -> new Symplectic8();
-            case ADAPTIVE -> adaptiveOf(spec);
+            case ADAPTIVE -> new AdaptiveTaylor(seriesOf(spec));
         };
     }
 
-    private static AdaptiveTaylor adaptiveOf(WorldSpec spec) {
+    private static TaylorStep seriesOf(WorldSpec spec) {
         double fieldX = 0;
         double fieldY = 0;
         for (ForceLaw law : spec.laws()) { // WorldSpec lets nothing else through
             fieldX += ((UniformField) law).gx();
             fieldY += ((UniformField) law).gy();
         }
-        return new AdaptiveTaylor(
-                new TaylorStep(spec.gravity(), spec.softening(), fieldX, fieldY, spec.tolerance()));
+        return new TaylorStep(spec.gravity(), spec.softening(), fieldX, fieldY, spec.tolerance());
     }
 }

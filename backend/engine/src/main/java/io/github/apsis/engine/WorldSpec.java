@@ -2,6 +2,7 @@ package io.github.apsis.engine;
 
 import io.github.apsis.engine.collision.Boundary;
 import io.github.apsis.engine.collision.Boundary.HalfPlane;
+import io.github.apsis.engine.collision.ContactMode;
 import io.github.apsis.engine.force.ForceLaw;
 import io.github.apsis.engine.force.UniformField;
 import io.github.apsis.engine.integration.AdaptiveTaylor;
@@ -32,6 +33,7 @@ public final class WorldSpec {
     private final Integration integration;
     private final double tolerance;
     private final OptionalDouble restitution;
+    private final ContactMode contactMode;
     private final Boundary boundary;
     private final double slowingRadius;
     private final double dt;
@@ -46,6 +48,7 @@ public final class WorldSpec {
         integration = builder.integration;
         tolerance = builder.tolerance;
         restitution = builder.restitution;
+        contactMode = builder.contactMode;
         boundary = builder.boundary;
         slowingRadius = builder.slowingRadius;
         dt = builder.dt;
@@ -89,6 +92,11 @@ public final class WorldSpec {
     /** Share of the normal speed that is left after a contact; empty for a world without contacts. */
     public OptionalDouble restitution() {
         return restitution;
+    }
+
+    /** How exactly contacts are told from rest. */
+    public ContactMode contactMode() {
+        return contactMode;
     }
 
     public Boundary boundary() {
@@ -159,6 +167,7 @@ public final class WorldSpec {
         private Integration integration = Integration.VELOCITY_VERLET;
         private double tolerance = 1e-16;
         private OptionalDouble restitution = OptionalDouble.empty();
+        private ContactMode contactMode = ContactMode.TICK;
         private Boundary boundary = new Boundary.Open();
         private double slowingRadius = 100;
         private double dt = DEFAULT_DT;
@@ -223,12 +232,32 @@ public final class WorldSpec {
             return integration(Integration.ADAPTIVE);
         }
 
-        /** Bodies collide, and leave a contact with this share of their normal speed. */
+        /**
+         * Bodies collide, and leave a contact with this share of their normal speed. Made for crowds: bounces have their true
+         * times on the parabola of a tick, which is the true path in a uniform field and of order two under gravity; what closes
+         * no faster than the forces push in two ticks lies at rest.
+         */
         public Builder contacts(double coefficient) {
+            return contacts(coefficient, ContactMode.TICK);
+        }
+
+        /**
+         * Bodies collide in the order of the true times, at true places, to rounding: for elastic gases, cradles, billiards and
+         * what bounces on planets. Without gravity by any method whose path is the true one; under gravity with {@link #adaptive}
+         * alone, whose series is the path, and for no more than 256 bodies. What would fly for less than a thousandth of a tick
+         * before its next bounce lies at rest, and after 1000 bounces in one tick a body's contacts are inelastic: so what would
+         * bounce infinitely often in finite time does not.
+         */
+        public Builder exactContacts(double coefficient) {
+            return contacts(coefficient, ContactMode.EXACT);
+        }
+
+        private Builder contacts(double coefficient, ContactMode mode) {
             if (!(coefficient >= 0 && coefficient <= 1)) {
                 throw new IllegalArgumentException("restitution must be 0 to 1, was " + coefficient);
             }
             this.restitution = OptionalDouble.of(coefficient);
+            this.contactMode = mode;
             return this;
         }
 
@@ -287,7 +316,29 @@ public final class WorldSpec {
             if (integration == Integration.ADAPTIVE) {
                 requireAdaptable();
             }
+            if (contactMode == ContactMode.EXACT && integration != Integration.ADAPTIVE) {
+                requireParabolas();
+            }
             return new WorldSpec(this);
+        }
+
+        /** Without gravity and in uniform fields the parabola of a tick is the true path. */
+        private void requireParabolas() {
+            if (gravity != 0) {
+                throw new IllegalStateException(
+                        "exact contacts under gravity are found on the paths of the adaptive method:"
+                                + " call adaptive(tolerance) too, or contacts(restitution) for a crowd");
+            }
+            for (ForceLaw law : laws) {
+                if (!(law instanceof UniformField)) {
+                    throw new IllegalStateException("exact contacts know gravity and uniform fields, not "
+                            + law.getClass().getSimpleName() + "; choose contacts(restitution)");
+                }
+            }
+            if (integration == Integration.SEMI_IMPLICIT_EULER) {
+                throw new IllegalStateException(
+                        "the paths of semi-implicit Euler are not the true ones: choose another method for exact contacts");
+            }
         }
 
         private void requireAdaptable() {

@@ -1,6 +1,7 @@
 package io.github.apsis.engine;
 
 import io.github.apsis.engine.body.BodyDef;
+import io.github.apsis.engine.collision.Boundary.HalfPlane;
 import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
@@ -77,6 +78,15 @@ public final class ReferenceCase {
             bodies.add(body.at(body.x() + k * repeat.path("dx").asDouble(0), body.y()));
         }
         return bodies;
+    }
+
+    /** The half-planes that a case calls walls. */
+    public List<HalfPlane> walls() {
+        List<HalfPlane> walls = new ArrayList<>();
+        for (JsonNode wall : root.get("walls")) {
+            walls.add(new HalfPlane(at(wall, "nx"), at(wall, "ny"), at(wall, "d")));
+        }
+        return walls;
     }
 
     private static BodyDef body(JsonNode body) {

@@ -10,13 +10,15 @@ final class Approach {
     private final Paths paths;
     private final ContactGeometry contact;
     private final Touching touching;
+    private final ContactMode mode;
     private double closingRate;
     private double closingSpeed; // length / time, negative when they separate
 
-    Approach(Paths paths, ContactGeometry contact, Touching touching) {
+    Approach(Paths paths, ContactGeometry contact, Touching touching, ContactMode mode) {
         this.paths = paths;
         this.contact = contact;
         this.touching = touching;
+        this.mode = mode;
     }
 
     /** Fills in normal, gap and closing speed of a body and its partner, a body or a wall, at time t. */
@@ -32,11 +34,11 @@ final class Approach {
     /**
      * The same, with the normal from where an impulse at time t acts in the integrator's own steps: straight back from the end
      * of the path. With it the two impulses of a contact have no moment, and angular momentum stays; without forces, and where
-     * these act along the line of centres, it is the line of centres itself.
+     * these act along the line of centres, it is the line of centres itself. Exact contacts have the line of centres always.
      */
     void measureImpact(Bodies bodies, int a, int b, double t) {
         measure(bodies, a, b, t);
-        if (b >= 0) {
+        if (b >= 0 && mode != ContactMode.EXACT) {
             double left = paths.dt() - t;
             contact.turn(
                     bodies.x(b) - bodies.vx(b) * left - (bodies.x(a) - bodies.vx(a) * left),
@@ -64,22 +66,28 @@ final class Approach {
     }
 
     /**
-     * Whether the partners close no faster than the forces push them together in two ticks: that is rest, not a bounce. Two
-     * bodies that fall side by side are not pushed together; one that lies on something is, by as much as that bears of its fall.
+     * Whether the partners close no faster than the forces push them together in two ticks, or as the {@link ContactMode}
+     * says: that is rest, not a bounce. Two bodies that fall side by side are not pushed together; one that lies on something is,
+     * by as much as that bears of its fall.
      */
     boolean isGentle(Bodies bodies, int a, int b) {
-        return isGentle(bodies, a, b, contact, closingSpeed);
+        return isGentle(bodies, a, b, contact, closingSpeed, mode.restingTicks());
     }
 
-    /** The same of two partners as they are at the end of a tick. */
+    /** The separating speed that the forces have used up after so long: with it, what comes to rest ends the tick where it lies. */
+    double hop(Bodies bodies, int a, int b, double left) {
+        return 0.5 * Math.max(0, -contact.separatingAcceleration(bodies, a, b)) * left;
+    }
+
+    /** Whether two partners, as they are at the end of a tick, close no faster than in two ticks. */
     boolean isGentleNow(Bodies bodies, int a, int b, ContactGeometry now) {
-        return isGentle(bodies, a, b, now, now.closingSpeed(bodies, a, b));
+        return isGentle(bodies, a, b, now, now.closingSpeed(bodies, a, b), ContactMode.TICK.restingTicks());
     }
 
-    private boolean isGentle(Bodies bodies, int a, int b, ContactGeometry at, double closing) {
+    private boolean isGentle(Bodies bodies, int a, int b, ContactGeometry at, double closing, double ticks) {
         double pressed = Math.max(0, -at.separatingAcceleration(bodies, a, b)) * paths.dt();
         double borne = Math.max(touching.support(a), touching.support(b));
-        return closing <= 2 * Math.max(pressed, borne) + ROUNDING * speeds(bodies, a, b);
+        return closing <= Math.max(ticks * pressed, 2 * borne) + ROUNDING * speeds(bodies, a, b);
     }
 
     private static double speeds(Bodies bodies, int a, int b) {

@@ -13,6 +13,14 @@ public sealed interface Boundary {
         return boundary instanceof Walls || boundary instanceof HalfPlanes;
     }
 
+    /** Share of the normal speed that its walls leave; 0 without walls. */
+    static double wallRestitution(Boundary boundary) {
+        if (boundary instanceof HalfPlanes halfPlanes) {
+            return halfPlanes.restitution();
+        }
+        return boundary instanceof Walls walls ? walls.restitution() : 0;
+    }
+
     /** No edge. */
     record Open() implements Boundary {
         @Override

@@ -27,23 +27,16 @@ public final class ContactSolver {
      * @param restitution between bodies; empty when they do not collide with each other
      * @param boundary whose walls, if it has any, are hit as well
      */
-    public ContactSolver(OptionalDouble restitution, Boundary boundary) {
+    public ContactSolver(OptionalDouble restitution, Boundary boundary, ContactMode mode) {
         var walls = WallSet.of(boundary);
-        double wallRestitution = wallRestitution(boundary);
+        double wallRestitution = Boundary.wallRestitution(boundary);
         var period = boundary instanceof Boundary.Periodic p ? new Period(p.box()) : null;
         var broadPhase = restitution.isPresent() ? new BroadPhase(period) : null;
-        var approach = new Approach(paths, new ContactGeometry(walls, period), touching);
+        var approach = new Approach(paths, new ContactGeometry(walls, period), touching, mode);
         impacts = new Impacts(
-                restitution.orElse(0), wallRestitution, broadPhase, walls, period, paths, approach, touching);
+                restitution.orElse(0), wallRestitution, broadPhase, walls, period, paths, approach, touching, mode);
         resting = new RestingContacts(touching, approach, walls, period);
         stop = walls == null ? null : new WallStop(walls);
-    }
-
-    private static double wallRestitution(Boundary boundary) {
-        if (boundary instanceof Boundary.HalfPlanes halfPlanes) {
-            return halfPlanes.restitution();
-        }
-        return boundary instanceof Boundary.Walls walls ? walls.restitution() : 0;
     }
 
     /** Tells a listener of every bounce from now on. */

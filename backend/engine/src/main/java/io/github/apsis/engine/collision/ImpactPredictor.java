@@ -22,6 +22,8 @@ final class ImpactPredictor {
     private final ImpactQueue queue;
     private final Touching touching;
     private final Meeting meeting;
+    private final ContactMode mode;
+    private final PairIndex hopping = new PairIndex(); // come to rest in this tick
     private final int mostImpacts; // of one body in a tick; what comes after is at rest
 
     ImpactPredictor(
@@ -32,6 +34,7 @@ final class ImpactPredictor {
             Approach approach,
             ImpactQueue queue,
             Touching touching,
+            ContactMode mode,
             int mostImpacts) {
         this.broadPhase = broadPhase;
         this.walls = walls;
@@ -39,14 +42,16 @@ final class ImpactPredictor {
         this.approach = approach;
         this.queue = queue;
         this.touching = touching;
+        this.mode = mode;
         this.mostImpacts = mostImpacts;
-        this.meeting = new Meeting(paths, period);
+        this.meeting = new Meeting(paths, period, mode);
     }
 
     /** Looks along the paths of all bodies, as the integrator has drawn them. */
     void predictAll(Bodies bodies) {
         queue.clear();
         touching.begin(bodies);
+        hopping.clear();
         for (int i = 0; i < bodies.count(); i++) {
             predictWalls(bodies, i);
         }
@@ -68,6 +73,12 @@ final class ImpactPredictor {
         if (broadPhase != null) {
             broadPhase.update(bodies, paths, i);
         }
+    }
+
+    /** Two partners have come to rest within the tick, and meet again when it ends. */
+    void hop(Bodies bodies, int a, int b) {
+        hopping.put(a, b, 0);
+        rest(bodies, a, b);
     }
 
     /** Looks along the path of one body from its last impact on, for everything but the partner of that impact. */
@@ -135,7 +146,7 @@ final class ImpactPredictor {
     /** Looks whether two bodies meet on their present paths. */
     void predict(Bodies bodies, int a, int b) {
         double sumOfRadii = bodies.radius(a) + bodies.radius(b);
-        if (sumOfRadii == 0 || bodies.isFixed(a) && bodies.isFixed(b)) {
+        if (sumOfRadii == 0 || bodies.isFixed(a) && bodies.isFixed(b) || hopping.find(a, b) >= 0) {
             return; // points never touch, and their contact would have no normal
         }
         meeting.of(bodies, a, b);
@@ -148,7 +159,14 @@ final class ImpactPredictor {
     }
 
     private void predictWalls(Bodies bodies, int i) {
-        if (walls == null || walls.contains(bodies, i) || bodies.isFixed(i)) {
+        if (walls == null || bodies.isFixed(i)) {
+            return;
+        }
+        if (mode == ContactMode.EXACT) {
+            predictWallsExactly(bodies, walls, i);
+            return;
+        }
+        if (walls.contains(bodies, i, 0)) {
             return;
         }
         double t0 = paths.startTime(i);
@@ -168,12 +186,33 @@ final class ImpactPredictor {
         }
     }
 
+    private void predictWallsExactly(Bodies bodies, WallSet set, int i) {
+        if (set.contains(bodies, i, paths.bulge(bodies, i))) {
+            return;
+        }
+        double r = bodies.radius(i);
+        double size = r + Math.abs(bodies.x(i)) + Math.abs(bodies.y(i));
+        for (int wall = -1; wall > set.end(); wall--) {
+            double gap0 = set.gap(wall, paths.startX(i), paths.startY(i), r);
+            double gap1 = set.gap(wall, bodies.x(i), bodies.y(i), r);
+            double inwards = Paths.accelerationX(bodies, i) * set.normalX(wall)
+                    + Paths.accelerationY(bodies, i) * set.normalY(wall);
+            if (hopping.find(i, wall) >= 0) {
+                continue;
+            }
+            double t = FirstTouch.ofWall(gap0, gap1, inwards, paths.startTime(i), paths.dt(), size);
+            if (gap1 <= 0 || !Double.isNaN(t)) {
+                enqueue(bodies, i, wall, t);
+            }
+        }
+    }
+
     /**
      * Queues an impact at time t, or lists a contact at rest: one that closes gently, and a body
      * that is beyond a wall and on its way back, for which t is NaN.
      */
     private void enqueue(Bodies bodies, int a, int b, double t) {
-        if (Double.isNaN(t) || paths.mostImpacts(a, b) >= mostImpacts || isAtRest(bodies, a, b, t)) {
+        if (Double.isNaN(t) || paths.mostImpacts(a, b) >= mostImpacts || isAtRest(bodies, a, b, t) && !mayHop(a, b)) {
             rest(bodies, a, b);
         } else {
             queue.push(t, a, b, paths.impacts(a), paths.impacts(b));
@@ -183,6 +222,11 @@ final class ImpactPredictor {
     private boolean isAtRest(Bodies bodies, int a, int b, double t) {
         approach.measure(bodies, a, b, t);
         return approach.isGentle(bodies, a, b);
+    }
+
+    /** An exact contact that comes to rest within the tick ends with a hop; what was at rest before is held from its beginning. */
+    private boolean mayHop(int a, int b) {
+        return mode == ContactMode.EXACT && paths.mostImpacts(a, b) > 0 && approach.closingSpeed() > 0;
     }
 
     /** Lists a contact as it is where the later of the two paths begins. */

@@ -21,8 +21,10 @@ final class Impacts {
     private static final int FEWEST_BOUNCES = 8;
     private static final int MOST_BOUNCES = 64;
     private static final int MOST_ELASTIC_BOUNCES = 100_000;
+    private static final int MOST_EXACT_BOUNCES = 1000;
 
     private final double restitution;
+    private final ContactMode mode;
     private final int mostBounces; // of a body in a tick
     private final double wallRestitution;
     private final Paths paths;
@@ -42,24 +44,29 @@ final class Impacts {
             @Nullable Period period,
             Paths paths,
             Approach approach,
-            Touching touching) {
+            Touching touching,
+            ContactMode mode) {
         this.restitution = restitution;
-        this.mostBounces = mostBounces(Math.max(restitution, walls == null ? 0 : wallRestitution));
+        this.mode = mode;
+        this.mostBounces = mostBounces(mode, Math.max(restitution, walls == null ? 0 : wallRestitution));
         this.wallRestitution = wallRestitution;
         this.paths = paths;
         this.approach = approach;
         this.predictor =
-                new ImpactPredictor(broadPhase, walls, period, paths, approach, queue, touching, 2 * mostBounces);
+                new ImpactPredictor(broadPhase, walls, period, paths, approach, queue, touching, mode, 2 * mostBounces);
     }
 
     /**
      * A body that is hit more often in one tick is in a collapse: with e &lt; 1 infinitely many bounces may take a finite time.
      * From then on its contacts of this tick are inelastic, and after as many again they are at rest. So many bounces take all
-     * but a hundredth of a speed, twice over; without loss there is no collapse, only a bullet in a box.
+     * but a hundredth of a speed, twice over, and exact contacts take a thousand; without loss there is no collapse, only a bullet in a box.
      */
-    private static int mostBounces(double e) {
+    private static int mostBounces(ContactMode mode, double e) {
         if (e == 1) {
             return MOST_ELASTIC_BOUNCES;
+        }
+        if (mode == ContactMode.EXACT) {
+            return MOST_EXACT_BOUNCES;
         }
         double bounces = e > 0 ? 2 * StrictMath.log(0.01) / StrictMath.log(e) : 0;
         return (int) Math.max(FEWEST_BOUNCES, Math.min(MOST_BOUNCES, bounces));
@@ -146,16 +153,26 @@ final class Impacts {
     private void bounce(Bodies bodies, double t) {
         int a = moment.first(0);
         int b = moment.second(0);
+        boolean hops = mode == ContactMode.EXACT && approach.isGentle(bodies, a, b);
+        if (hops) {
+            moment.measured(0, approach, approach.hop(bodies, a, b, paths.dt() - t) / approach.closingSpeed());
+        }
         double inverseMass = bodies.inverseMass(a) + (b < 0 ? 0 : bodies.inverseMass(b));
         double closing = moment.closingSpeed(0);
         double impulse = moment.bounce(0) * closing / inverseMass;
         bodies.ledger().bookEnergy(impulse * (0.5 * impulse * inverseMass - closing));
+        if (!hops) {
+            tell(bodies, 0, t, impulse);
+        }
         pass(bodies, 0, t, impulse);
         // Not impulse · n: a million bounces of rounding in the root of n are 1e-12 of the energy.
         double rate = moment.bounce(0) * approach.closingRate() / inverseMass;
         double px = rate * approach.contact().lineX;
         double py = rate * approach.contact().lineY;
         bend(bodies, a, t, -px * bodies.inverseMass(a), -py * bodies.inverseMass(a));
+        if (hops) {
+            predictor.hop(bodies, a, b);
+        }
         predictor.predictNext(bodies, a, b);
         if (b >= 0) {
             bend(bodies, b, t, px * bodies.inverseMass(b), py * bodies.inverseMass(b));
@@ -168,6 +185,7 @@ final class Impacts {
         moment.solve(bodies);
         bodies.ledger().bookEnergy(moment.work());
         for (int k = 0; k < moment.size(); k++) {
+            tell(bodies, k, t, moment.impulse(k));
             pass(bodies, k, t, moment.impulse(k));
         }
         bent = moment.bodies(bent);
@@ -193,16 +211,20 @@ final class Impacts {
         }
     }
 
-    /** Tells of the impulse of a contact, and books what of it leaves the world. */
+    private void tell(Bodies bodies, int k, double t, double impulse) {
+        if (listener != null) {
+            int b = moment.second(k);
+            long second = b < 0 ? b : bodies.idValue(b);
+            listener.bounced(start + t, bodies.idValue(moment.first(k)), second, moment.closingSpeed(k), impulse);
+        }
+    }
+
+    /** Books what of the impulse of a contact leaves the world. */
     private void pass(Bodies bodies, int k, double t, double impulse) {
         int a = moment.first(k);
         int b = moment.second(k);
         double nx = moment.normalX(k);
         double ny = moment.normalY(k);
-        if (listener != null) {
-            listener.bounced(
-                    start + t, bodies.idValue(a), b < 0 ? b : bodies.idValue(b), moment.closingSpeed(k), impulse);
-        }
         bodies.ledger().bookEnergy(-impulse * speedByThrust(bodies, a, b, nx, ny, t));
         bookOutside(bodies, a, b, impulse * nx, impulse * ny, paths.dt() - t);
     }

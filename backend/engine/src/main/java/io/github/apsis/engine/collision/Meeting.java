@@ -14,6 +14,7 @@ final class Meeting {
 
     private final Paths paths;
     private final @Nullable Period period;
+    private final ContactMode mode;
 
     // The separation from t0, when both paths have begun, to the end of the tick.
     private double t0;
@@ -28,9 +29,10 @@ final class Meeting {
 
     private double earliest;
 
-    Meeting(Paths paths, @Nullable Period period) {
+    Meeting(Paths paths, @Nullable Period period, ContactMode mode) {
         this.paths = paths;
         this.period = period;
+        this.mode = mode;
     }
 
     /** Fills in the separation of two bodies on their present paths. */
@@ -96,6 +98,10 @@ final class Meeting {
     }
 
     private double time(double shiftX, double shiftY, double sumOfRadii) {
+        if (mode == ContactMode.EXACT && (bx != 0 || by != 0)) {
+            return FirstTouch.ofCircles(
+                    d0x - shiftX, d0y - shiftY, d1x - shiftX, d1y - shiftY, bx, by, t0, paths.dt(), sumOfRadii);
+        }
         return TimeOfImpact.ofCircles(
                 d0x - shiftX, d0y - shiftY, d1x - shiftX, d1y - shiftY, v0x, v0y, bx, by, t0, paths.dt(), sumOfRadii);
     }

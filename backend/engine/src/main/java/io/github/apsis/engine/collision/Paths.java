@@ -84,6 +84,12 @@ final class Paths {
         return Math.sqrt(larger);
     }
 
+    /** A bound on the distance of the path from its chord: a T²/8. */
+    double bulge(Bodies bodies, int i) {
+        double length = dt - startTime[i];
+        return (Math.abs(accelerationX(bodies, i)) + Math.abs(accelerationY(bodies, i))) * length * length / 8;
+    }
+
     double xAt(Bodies bodies, int i, double t) {
         return at(startX[i], bodies.x(i), startTime[i], accelerationX(bodies, i), t);
     }

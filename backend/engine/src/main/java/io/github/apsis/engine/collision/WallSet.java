@@ -7,7 +7,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /** Straight walls as partners in a contact, numbered −1, −2, … in the order of their boundary; a normal points inwards. */
-final class WallSet {
+public final class WallSet {
     private final double[] nx;
     private final double[] ny;
     private final double[] offset;
@@ -19,7 +19,7 @@ final class WallSet {
     }
 
     /** The walls of a boundary, or null when it has none. */
-    static @Nullable WallSet of(Boundary boundary) {
+    public static @Nullable WallSet of(Boundary boundary) {
         if (boundary instanceof Boundary.Walls walls) {
             Aabb box = walls.box();
             return new WallSet(List.of(
@@ -32,29 +32,29 @@ final class WallSet {
     }
 
     /** The number of the wall after the last: walls are counted down from −1. */
-    int end() {
+    public int end() {
         return -1 - nx.length;
     }
 
-    double normalX(int wall) {
+    public double normalX(int wall) {
         return nx[-1 - wall];
     }
 
-    double normalY(int wall) {
+    public double normalY(int wall) {
         return ny[-1 - wall];
     }
 
     /** Distance from the rim of a circle at (x, y) to a wall; negative beyond it. */
-    double gap(int wall, double x, double y, double radius) {
+    public double gap(int wall, double x, double y, double radius) {
         int k = -1 - wall;
         return nx[k] * x + ny[k] * y - offset[k] - radius;
     }
 
-    /** Whether a body ends its path inside, clear of all walls: by far the usual case, and the path of a tick is short. */
-    boolean contains(Bodies bodies, int i) {
+    /** Whether a body ends its path inside, clear of all walls by so much: by far the usual case, and the path of a tick is short. */
+    boolean contains(Bodies bodies, int i, double margin) {
         boolean clear = true;
         for (int k = 0; k < nx.length; k++) {
-            clear &= nx[k] * bodies.x(i) + ny[k] * bodies.y(i) - offset[k] > bodies.radius(i);
+            clear &= nx[k] * bodies.x(i) + ny[k] * bodies.y(i) - offset[k] > bodies.radius(i) + margin;
         }
         return clear;
     }

@@ -16,7 +16,7 @@ final class WallStop {
 
     void stop(Bodies bodies, double dt) {
         for (int i = 0; i < bodies.count(); i++) {
-            if (walls.contains(bodies, i) || bodies.isFixed(i)) {
+            if (walls.contains(bodies, i, 0) || bodies.isFixed(i)) {
                 continue;
             }
             for (int wall = -1; wall > walls.end(); wall--) {

@@ -3,8 +3,10 @@ package io.github.apsis.engine.stepping;
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.collision.Boundary;
 import io.github.apsis.engine.collision.ContactListener;
+import io.github.apsis.engine.collision.ContactMode;
 import io.github.apsis.engine.collision.ContactSolver;
 import io.github.apsis.engine.force.Forces;
+import io.github.apsis.engine.integration.AdaptiveTaylor;
 import io.github.apsis.engine.integration.Chord;
 import io.github.apsis.engine.integration.Integrator;
 import io.github.apsis.engine.integration.PathIntegrator;
@@ -13,7 +15,7 @@ import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 
 /** How one tick advances the bodies: paths, contacts on them, then the edge of the world. Parts a world lacks are not there. */
-public final class TickStepper {
+public final class TickStepper implements Stepper {
     private final Integrator integrator;
     private final Forces forces;
     private final @Nullable PathIntegrator path;
@@ -21,11 +23,17 @@ public final class TickStepper {
     private final @Nullable Period period;
     private final double dt;
 
-    public TickStepper(Integrator integrator, Forces forces, OptionalDouble restitution, Boundary boundary, double dt) {
+    public TickStepper(
+            Integrator integrator,
+            Forces forces,
+            OptionalDouble restitution,
+            ContactMode mode,
+            Boundary boundary,
+            double dt) {
         this.integrator = integrator;
         this.forces = forces;
         this.contacts = restitution.isPresent() || Boundary.hasWalls(boundary)
-                ? new ContactSolver(restitution, boundary)
+                ? new ContactSolver(restitution, boundary, mode)
                 : null;
         this.path = pathOf(integrator, contacts != null || boundary instanceof Boundary.Periodic);
         this.period = boundary instanceof Boundary.Periodic p ? new Period(p.box()) : null;
@@ -40,19 +48,19 @@ public final class TickStepper {
         return needed ? new Chord(integrator) : null;
     }
 
-    /** Whether bodies bounce, off each other or off walls. */
-    public boolean hasContacts() {
-        return contacts != null;
+    @Override
+    public boolean needsNumbers() {
+        return contacts != null || integrator instanceof AdaptiveTaylor;
     }
 
-    /** Tells a listener of every bounce from now on. */
+    @Override
     public void onBounce(ContactListener listener) {
         if (contacts != null) {
             contacts.onBounce(listener);
         }
     }
 
-    /** Advances by a tick that begins at this time since the world began. */
+    @Override
     public void step(Bodies bodies, double time) {
         if (path == null) {
             integrator.advance(bodies, forces, dt);
@@ -78,6 +86,16 @@ public final class TickStepper {
         if (contacts != null) {
             contacts.settle(bodies);
         }
+    }
+
+    @Override
+    public double lostTime() {
+        return integrator instanceof AdaptiveTaylor adaptive ? adaptive.lostTime() : 0;
+    }
+
+    @Override
+    public long pointBounces() {
+        return integrator instanceof AdaptiveTaylor adaptive ? adaptive.bounces() : 0;
     }
 
     private static void wrap(Bodies bodies, Period period) {
