@@ -12,6 +12,8 @@ import io.github.apsis.engine.WorldSpec.Integration;
 import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.diagnostics.Conserved;
 import io.github.apsis.engine.force.UniformField;
+import io.github.apsis.engine.math.Aabb;
+import io.github.apsis.engine.math.Rng;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -140,6 +142,33 @@ class ExactContactsTest {
         double now = world.conserved().energy().orElseThrow();
         // A bounce is wrong by a rounding or two, which add up like a random walk.
         assertThat(now / before.energy().orElseThrow() - 1).isCloseTo(0, within(1e-12));
+    }
+
+    @Test
+    void a_gas_keeps_its_energy_through_a_million_collisions() {
+        World world = new World(WorldSpec.builder()
+                .dt(0.05)
+                .exactContacts(1)
+                .walls(Aabb.centred(20, 20), 1)
+                .build());
+        long seed = 8;
+        var rng = new Rng(seed);
+        for (int i = 0; i < 200; i++) {
+            double x = -18.5 + 2.6 * (i % 15);
+            double y = -18.5 + 2.6 * (i / 15);
+            world.add(BodyDef.asteroid(x, y, rng.between(0.5, 2), rng.between(0.6, 1.25))
+                    .moving(rng.between(-5, 5), rng.between(-5, 5)));
+        }
+        int[] bounces = {0};
+        world.onBounce((time, a, b, c, impulse) -> bounces[0]++);
+        double before = world.conserved().kinetic();
+
+        while (bounces[0] < 1_000_000) {
+            world.step();
+        }
+
+        // A collision is wrong by a rounding of what two of 200 have, and a million of them by a thousand roundings.
+        assertThat(world.conserved().kinetic() / before - 1).as("seed %d", seed).isCloseTo(0, within(1e-13));
     }
 
     @Test
