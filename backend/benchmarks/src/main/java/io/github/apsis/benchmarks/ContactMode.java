@@ -12,21 +12,16 @@ public enum ContactMode {
             return spec.contacts(restitution);
         }
     },
-    /** From true contact to true contact. The engine is to get it; until then nothing is reported of it. */
+    /** From true contact to true contact: for few bodies and numbers to rely on. */
     EXACT {
         @Override
         public WorldSpec.Builder on(WorldSpec.Builder spec, double restitution) {
-            return spec.contacts(restitution);
+            return spec.exactContacts(restitution);
         }
     };
 
     /** Gives a world contacts of this kind and restitution. */
     public abstract WorldSpec.Builder on(WorldSpec.Builder spec, double restitution);
-
-    /** Whether the engine has it. */
-    public boolean isBuilt() {
-        return this == TICK;
-    }
 
     /** As tables name it. */
     public String label() {

@@ -85,13 +85,8 @@ public final class ContactStudy {
     private void run(ContactFolder.Job job, ContactMode mode) {
         List<ContactRow> found;
         try {
-            found = mode.isBuilt()
-                    ? Patience.of(() -> job.rows().apply(mode), PATIENCE_SECONDS)
-                    : List.of(ContactRow.without(
-                            job.id(), mode, ContactVerdict.SKIPPED + "the engine has no such mode yet"));
-        } catch (
-                IllegalStateException
-                        e) { // the engine refuses, or stops, or has a bug: the other rows are worth having
+            found = Patience.of(() -> job.rows().apply(mode), PATIENCE_SECONDS);
+        } catch (IllegalStateException e) { // the engine refuses, or stops: the other rows are worth having
             found = List.of(ContactRow.without(job.id(), mode, ContactVerdict.FAILED + e.getMessage()));
         }
         for (ContactRow row : found) {

@@ -36,10 +36,7 @@ enum Contender {
     }
 
     private static List<Contender> besideUs(Contender... others) {
-        List<Contender> all = new ArrayList<>(List.of(APSIS_TICK));
-        if (ContactMode.EXACT.isBuilt()) {
-            all.add(APSIS_EXACT);
-        }
+        List<Contender> all = new ArrayList<>(List.of(APSIS_TICK, APSIS_EXACT));
         all.addAll(List.of(others));
         return all;
     }

@@ -23,6 +23,9 @@ final class RestingContacts {
     /** What they do not find, the next tick does, which goes on from there: so a large heap is solved over several ticks. */
     private static final int MOST_ROUNDS = 200;
 
+    private static final int FEWEST_ROUNDS = 120;
+    private static final int WORK = 600_000; // contacts times rounds
+
     /** Without rounding conjugate gradients would need one round for each contact that pushes, and as many for each that changes. */
     private static final int ROUNDS_PER_CONTACT = 20;
 
@@ -34,6 +37,9 @@ final class RestingContacts {
 
     /** Positive work below this share is rounding. */
     private static final double NO_WORK = 1e-13;
+
+    /** Of the speed with which contacts move past each other: while a heap moves, the next tick asks for other impulses anyway. */
+    private static final double MOVING = 1e-6;
 
     /** Eight units in the last place of a number. */
     private static final double ROUNDING = 0x1p-49;
@@ -180,31 +186,45 @@ final class RestingContacts {
     }
 
     private static int mostRounds(int contacts) {
-        return Math.min(ROUNDS_PER_CONTACT * contacts, MOST_ROUNDS);
+        return Math.min(
+                ROUNDS_PER_CONTACT * contacts,
+                Math.max(FEWEST_ROUNDS, Math.min(MOST_ROUNDS, WORK / Math.max(1, contacts))));
     }
 
-    /** Measures how much each pair ends too deep; what the digits of positions cannot tell is returned as a speed. */
+    /** Measures how much each pair ends too deep; the speed that need not be found is returned. */
     private double measureGaps(Bodies bodies, double dt) {
         double farthest = 0;
+        double moving = 0;
         for (int k = 0; k < touching.size(); k++) {
             int a = touching.first(k);
-            contact.fillNow(bodies, a, touching.second(k));
+            int b = touching.second(k);
+            contact.fillNow(bodies, a, b);
             solver.measured(k, (contact.gap - Math.min(0, touching.firstGap(k))) / dt);
             farthest = Math.max(farthest, Math.max(Math.abs(bodies.x(a)), Math.abs(bodies.y(a))));
+            moving = Math.max(moving, moving(bodies, a, b));
         }
-        return ROUNDING * farthest / dt;
+        return Math.max(ROUNDING * farthest / dt, MOVING * moving);
+    }
+
+    /** How fast two partners move past each other. */
+    private static double moving(Bodies bodies, int a, int b) {
+        double wx = (b < 0 ? 0 : bodies.vx(b)) - bodies.vx(a);
+        double wy = (b < 0 ? 0 : bodies.vy(b)) - bodies.vy(a);
+        return Math.abs(wx) + Math.abs(wy);
     }
 
     private double measureSpeeds(Bodies bodies) {
         double fastest = 0;
+        double moving = 0;
         for (int s = 0; s < solver.size(); s++) {
             int a = touching.first(settled[s]);
             int b = touching.second(settled[s]);
             contact.fillNow(bodies, a, b);
             solver.measured(s, -contact.closingSpeed(bodies, a, b));
             fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
+            moving = Math.max(moving, moving(bodies, a, b));
         }
-        return ROUNDING * fastest;
+        return Math.max(ROUNDING * fastest, MOVING * moving);
     }
 
     /** Collects the contacts that are closed now and did not come here at speed: those have their bounce in the next tick. */

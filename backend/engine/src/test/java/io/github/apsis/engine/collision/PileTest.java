@@ -76,9 +76,21 @@ class PileTest {
 
         WorldSnapshot now = world.snapshot();
         for (int i = 0; i < now.count(); i++) {
-            assertThat(now.x(i)).as("circle %d, seed %d", i, SEED).isCloseTo(before.x(i), within(1e-6));
+            // Under an arch a circle may be alone with the floor: without friction nothing may stop it, nor drive it.
+            double drift = touchesAnother(before, i) ? 0 : before.vx(i);
+            assertThat(now.x(i)).as("circle %d, seed %d", i, SEED).isCloseTo(before.x(i) + drift, within(1e-6));
             assertThat(now.y(i)).as("circle %d, seed %d", i, SEED).isCloseTo(before.y(i), within(1e-6));
         }
+    }
+
+    private static boolean touchesAnother(WorldSnapshot now, int i) {
+        for (int j = 0; j < now.count(); j++) {
+            double gap = Math.hypot(now.x(i) - now.x(j), now.y(i) - now.y(j)) - now.radius(i) - now.radius(j);
+            if (j != i && gap < 1e-6) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Rows of circles above each other in a box that they will fill to about its half. */
