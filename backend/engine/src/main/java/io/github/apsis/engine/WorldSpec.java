@@ -245,8 +245,8 @@ public final class WorldSpec {
          * Bodies collide in the order of the true times, at true places, to rounding: for elastic gases, cradles, billiards and
          * what bounces on planets. Without gravity by any method whose path is the true one; under gravity with {@link #adaptive}
          * alone, whose series is the path, and for no more than 256 bodies. What would fly for less than a thousandth of a tick
-         * before its next bounce lies at rest, and after 1000 bounces in one tick a body's contacts are inelastic: so what would
-         * bounce infinitely often in finite time does not.
+         * before its next bounce lies at rest, and after 1000 bounces in one tick a body's contacts are inelastic unless nothing
+         * is lost: so what would bounce infinitely often in finite time does not.
          */
         public Builder exactContacts(double coefficient) {
             return contacts(coefficient, ContactMode.EXACT);

@@ -19,8 +19,8 @@ final class Bounces {
     private static final double TOUCHING = 1e-12;
 
     /**
-     * A body that bounces more often in one tick is in a collapse (e &lt; 1: infinitely many bounces in finite time) or a bullet
-     * in a box. From then on its contacts of this tick are inelastic.
+     * A body that bounces more often in one tick is in a collapse: with e &lt; 1 infinitely many bounces may take a finite time.
+     * From then on its contacts of this tick are inelastic; without loss there is no collapse, only a bullet in a box.
      */
     private static final int MOST_BOUNCES = 1000;
 
@@ -164,10 +164,9 @@ final class Bounces {
     private double restitution(int k) {
         int a = touching.first(k);
         int b = touching.second(k);
-        if (bounces[a] >= MOST_BOUNCES || b >= 0 && bounces[b] >= MOST_BOUNCES) {
-            return 0;
-        }
-        return b < 0 ? wallRestitution : restitution;
+        double e = b < 0 ? wallRestitution : restitution;
+        boolean collapsed = bounces[a] >= MOST_BOUNCES || b >= 0 && bounces[b] >= MOST_BOUNCES;
+        return collapsed && e < 1 ? 0 : e;
     }
 
     private void tell(Bodies bodies, int k, double time) {
