@@ -41,6 +41,9 @@ final class RestingContacts {
     /** Of the speed with which contacts move past each other: while a heap moves, the next tick asks for other impulses anyway. */
     private static final double MOVING = 1e-6;
 
+    /** Of the speed of a heap as a whole: rocks that go round a sun together need not be held better. */
+    private static final double FLYING = 1e-9;
+
     /** Eight units in the last place of a number. */
     private static final double ROUNDING = 0x1p-49;
 
@@ -194,6 +197,7 @@ final class RestingContacts {
     /** Measures how much each pair ends too deep; the speed that need not be found is returned. */
     private double measureGaps(Bodies bodies, double dt) {
         double farthest = 0;
+        double fastest = 0;
         double moving = 0;
         for (int k = 0; k < touching.size(); k++) {
             int a = touching.first(k);
@@ -201,9 +205,10 @@ final class RestingContacts {
             contact.fillNow(bodies, a, b);
             solver.measured(k, (contact.gap - Math.min(0, touching.firstGap(k))) / dt);
             farthest = Math.max(farthest, Math.max(Math.abs(bodies.x(a)), Math.abs(bodies.y(a))));
+            fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
             moving = Math.max(moving, moving(bodies, a, b));
         }
-        return Math.max(ROUNDING * farthest / dt, MOVING * moving);
+        return Math.max(ROUNDING * farthest / dt, Math.max(MOVING * moving, FLYING * fastest));
     }
 
     /** How fast two partners move past each other. */
@@ -224,7 +229,7 @@ final class RestingContacts {
             fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
             moving = Math.max(moving, moving(bodies, a, b));
         }
-        return Math.max(ROUNDING * fastest, MOVING * moving);
+        return Math.max(MOVING * moving, FLYING * fastest);
     }
 
     /** Collects the contacts that are closed now and did not come here at speed: those have their bounce in the next tick. */
