@@ -23,9 +23,6 @@ final class RestingContacts {
     /** What they do not find, the next tick does, which goes on from there: so a large heap is solved over several ticks. */
     private static final int MOST_ROUNDS = 200;
 
-    private static final int FEWEST_ROUNDS = 120;
-    private static final int WORK = 600_000; // contacts times rounds
-
     /** Without rounding conjugate gradients would need one round for each contact that pushes, and as many for each that changes. */
     private static final int ROUNDS_PER_CONTACT = 20;
 
@@ -189,9 +186,7 @@ final class RestingContacts {
     }
 
     private static int mostRounds(int contacts) {
-        return Math.min(
-                ROUNDS_PER_CONTACT * contacts,
-                Math.max(FEWEST_ROUNDS, Math.min(MOST_ROUNDS, WORK / Math.max(1, contacts))));
+        return Math.min(ROUNDS_PER_CONTACT * contacts, MOST_ROUNDS);
     }
 
     /** Measures how much each pair ends too deep; the speed that need not be found is returned. */
