@@ -24,6 +24,7 @@ final class ImpactPredictor {
     private final Meeting meeting;
     private final ContactMode mode;
     private final PairIndex hopping = new PairIndex(); // come to rest in this tick
+    private final PairList gentle = new PairList(); // found since the last were listed
     private final int mostImpacts; // of one body in a tick; what comes after is at rest
 
     ImpactPredictor(
@@ -52,20 +53,18 @@ final class ImpactPredictor {
         queue.clear();
         touching.begin(bodies);
         hopping.clear();
+        gentle.clear(bodies.count());
         for (int i = 0; i < bodies.count(); i++) {
             predictWalls(bodies, i);
         }
         if (broadPhase != null) {
             broadPhase.build(bodies, paths);
-            for (int i = 0; i < bodies.count(); i++) {
-                int hits = broadPhase.findNear(bodies, paths, i);
-                for (int hit = 0; hit < hits; hit++) {
-                    if (broadPhase.near(hit) > i) {
-                        predict(bodies, i, broadPhase.near(hit));
-                    }
-                }
+            int pairs = broadPhase.findPairs();
+            for (int k = 0; k < pairs; k++) {
+                predict(bodies, broadPhase.first(k), broadPhase.second(k));
             }
         }
+        listGentle(bodies);
     }
 
     /** A path has been bent. */
@@ -97,6 +96,7 @@ final class ImpactPredictor {
                 predict(bodies, Math.min(i, other), Math.max(i, other));
             }
         }
+        listGentle(bodies);
     }
 
     /**
@@ -116,6 +116,7 @@ final class ImpactPredictor {
                 intrude(bodies, i);
             }
         }
+        listGentle(bodies);
         return touching.size() > before;
     }
 
@@ -133,7 +134,7 @@ final class ImpactPredictor {
             if (a != b && sumOfRadii > 0) {
                 meeting.of(bodies, a, b);
                 if (meeting.lastDistance() < sumOfRadii * (1 - CLOSED)) {
-                    rest(bodies, a, b);
+                    gentle.add(a, b);
                 }
             }
         }
@@ -143,8 +144,13 @@ final class ImpactPredictor {
         return broadPhase == null ? -1 : broadPhase.near(hit);
     }
 
-    /** Looks whether two bodies meet on their present paths. */
-    void predict(Bodies bodies, int a, int b) {
+    /** Looks whether two bodies meet on the paths that an impact between them has left. */
+    void predictAgain(Bodies bodies, int a, int b) {
+        predict(bodies, a, b);
+        listGentle(bodies);
+    }
+
+    private void predict(Bodies bodies, int a, int b) {
         double sumOfRadii = bodies.radius(a) + bodies.radius(b);
         if (sumOfRadii == 0 || bodies.isFixed(a) && bodies.isFixed(b) || hopping.find(a, b) >= 0) {
             return; // points never touch, and their contact would have no normal
@@ -154,7 +160,7 @@ final class ImpactPredictor {
         if (!Double.isNaN(t)) {
             enqueue(bodies, a, b, t);
         } else if (meeting.lastDistance() < sumOfRadii + Paths.acceleration(bodies, a, b) * paths.dt() * paths.dt()) {
-            rest(bodies, a, b); // a neighbour that is stopped in this tick may be run into by one that falls beside it
+            gentle.add(a, b); // a neighbour that is stopped in this tick may be run into by one that falls beside it
         }
     }
 
@@ -213,7 +219,11 @@ final class ImpactPredictor {
      */
     private void enqueue(Bodies bodies, int a, int b, double t) {
         if (Double.isNaN(t) || paths.mostImpacts(a, b) >= mostImpacts || isAtRest(bodies, a, b, t) && !mayHop(a, b)) {
-            rest(bodies, a, b);
+            if (b < 0) {
+                rest(bodies, a, b);
+            } else {
+                gentle.add(a, b);
+            }
         } else {
             queue.push(t, a, b, paths.impacts(a), paths.impacts(b));
         }
@@ -227,6 +237,16 @@ final class ImpactPredictor {
     /** An exact contact that comes to rest within the tick ends with a hop; what was at rest before is held from its beginning. */
     private boolean mayHop(int a, int b) {
         return mode == ContactMode.EXACT && paths.mostImpacts(a, b) > 0 && approach.closingSpeed() > 0;
+    }
+
+    private void listGentle(Bodies bodies) {
+        if (gentle.size() > 0) {
+            gentle.sort();
+            for (int k = 0; k < gentle.size(); k++) {
+                rest(bodies, gentle.first(k), gentle.second(k));
+            }
+            gentle.clear(bodies.count());
+        }
     }
 
     /** Lists a contact as it is where the later of the two paths begins. */

@@ -177,7 +177,7 @@ final class Impacts {
         if (b >= 0) {
             bend(bodies, b, t, px * bodies.inverseMass(b), py * bodies.inverseMass(b));
             predictor.predictNext(bodies, b, a);
-            predictor.predict(bodies, a, b);
+            predictor.predictAgain(bodies, a, b);
         }
     }
 

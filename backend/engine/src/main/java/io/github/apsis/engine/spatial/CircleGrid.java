@@ -1,0 +1,484 @@
+package io.github.apsis.engine.spatial;
+
+import io.github.apsis.engine.math.Period;
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Circles of any size and which of them touch: {@link #begin}, {@link #set} for every circle, {@link #build}, then
+ * {@link #findPairs}, and {@link #move} and {@link #query} when some have changed.
+ *
+ * <p>A circle belongs to the grid whose cells are as wide as it is, or up to twice as wide, so it reaches half a cell beyond its
+ * own at most and meets circles of its grid in the eight cells around alone; grids of other sizes are asked around it. Cells
+ * are numbered row by row and circles sorted by their cells in one count (Knuth 1973, TAOCP 3, 5.2): three neighbours in a row
+ * are one run of memory. An open plane is folded up into a torus of as many cells as there are circles, four times at most, so a
+ * body that has flown off costs nothing; circles that meet only by the fold are told apart by their distance.
+ *
+ * <p>Near a pass over memory where all are of one size. Nothing is allocated once warm.
+ */
+public final class CircleGrid {
+    private static final int LEVELS = 128;
+    private static final int MIDDLE = 80; // the level of most circles
+    private static final int TOP = LEVELS - 1; // one cell, for all that is larger
+
+    /** Cells are so much wider than most circles: some grow when paths are bent. */
+    private static final double ROOM = 1.15;
+
+    /** Of a cell: what the numbers of rows and columns lose to rounding is less, see {@link #ROUNDING}. */
+    private static final double MARGIN = 0x1p-10;
+
+    /** Of the coordinates, added to each circle: so a row or a column never has a number beyond 2³⁹. */
+    private static final double ROUNDING = 0x1p-40;
+
+    /** So far circles reach beyond their cells. */
+    private static final double OVERHANG = 0.5 + MARGIN;
+
+    private static final double SMALLEST = 0x1p-900;
+    private static final double LARGEST = 0x1p900;
+
+    private static final int SAMPLE = 64; // circles that tell the size of most
+    private static final int FEWEST_COLUMNS = 4; // on a torus of two, a cell is its own neighbour's neighbour
+    private static final int FEW_STRAYS = 32;
+    private static final double MOST_STRAYS =
+            4; // times the root of all: then sorting anew is cheaper than looking at each
+
+    private final @Nullable Period period;
+
+    private int count;
+    private double[] x = new double[16];
+    private double[] y = new double[16];
+    private double[] reach = new double[16];
+    private int[] level = new int[16];
+    private int[] cell = new int[16];
+    private int[] place = new int[16]; // in the order of the cells
+
+    private final int[] sampled = new int[2048]; // by exponent
+    private final double[] sampledReach = new double[2048];
+    private final int[] size = new int[LEVELS]; // circles of each level
+    private final int[] used = new int[LEVELS]; // the levels that have any, fine ones first
+    private int levels;
+    private double unit; // the side of cells in the middle level, length
+    private final double[] side = new double[LEVELS];
+    private final double[] columnsPerLength = new double[LEVELS];
+    private final double[] rowsPerLength = new double[LEVELS];
+    private final int[] columns = new int[LEVELS];
+    private final int[] rows = new int[LEVELS];
+    private final int[] firstCell = new int[LEVELS];
+    private int[] start = new int[64]; // by cell: the place of its first circle
+
+    // By place.
+    private int[] circle = new int[16];
+    private int[] home = new int[16]; // its cell
+    private double[] px = new double[16];
+    private double[] py = new double[16];
+    private double[] pr = new double[16]; // not a number for a stray
+
+    // Circles that reach farther from their cells than when they were sorted.
+    private int strays;
+    private int[] stray = new int[FEW_STRAYS];
+    private double[] strayX = new double[FEW_STRAYS];
+    private double[] strayY = new double[FEW_STRAYS];
+    private double[] strayReach = new double[FEW_STRAYS];
+
+    private int hits;
+    private int[] found = new int[16];
+    private int pairs;
+    private int[] first = new int[64];
+    private int[] second = new int[64];
+
+    /** A grid over a plane, or over a world that repeats itself: there a circle meets the nearest image of another. */
+    public CircleGrid(@Nullable Period period) {
+        this.period = period;
+    }
+
+    /** Forgets everything and makes room for so many circles. */
+    public void begin(int circles) {
+        count = circles;
+        if (circles > x.length) {
+            int capacity = Math.max(circles, 2 * x.length);
+            x = new double[capacity];
+            y = new double[capacity];
+            reach = new double[capacity];
+            level = new int[capacity];
+            cell = new int[capacity];
+            place = new int[capacity];
+            circle = new int[capacity];
+            home = new int[capacity];
+            px = new double[capacity];
+            py = new double[capacity];
+            pr = new double[capacity];
+        }
+    }
+
+    /** One circle; all numbers finite. */
+    public void set(int i, double centreX, double centreY, double radius) {
+        x[i] = period == null ? centreX : period.insideX(centreX);
+        y[i] = period == null ? centreY : period.insideY(centreY);
+        reach[i] = withRounding(centreX, centreY, radius);
+    }
+
+    private static double withRounding(double centreX, double centreY, double radius) {
+        return radius + ROUNDING * (radius + Math.abs(centreX) + Math.abs(centreY));
+    }
+
+    /** Sorts the circles. */
+    public void build() {
+        strays = 0;
+        unit = 2 * ROOM * usualReach();
+        chooseLevels();
+        int cells = layOut();
+        sort(cells);
+    }
+
+    /** The mean of a sample, without those that differ by more than their exponent from most. */
+    private double usualReach() {
+        int step = Math.max(1, count / SAMPLE);
+        int most = 0;
+        for (int i = 0; i < count; i += step) {
+            int exponent = Math.getExponent(reach[i]) + 1023;
+            if (reach[i] > 0) {
+                sampled[exponent]++;
+                sampledReach[exponent] += reach[i];
+                most = sampled[exponent] > sampled[most] ? exponent : most;
+            }
+        }
+        double mean = sampled[most] == 0 ? 1 : sampledReach[most] / sampled[most];
+        for (int i = 0; i < count; i += step) {
+            int exponent = Math.getExponent(reach[i]) + 1023;
+            sampled[exponent] = 0;
+            sampledReach[exponent] = 0;
+        }
+        return Math.max(SMALLEST, Math.min(LARGEST, mean));
+    }
+
+    private void chooseLevels() {
+        Arrays.fill(size, 0);
+        double scale = 2 * (1 + 2 * MARGIN) / unit;
+        for (int i = 0; i < count; i++) {
+            int l = Math.max(0, Math.min(TOP, MIDDLE + Math.getExponent(reach[i] * scale) + 1));
+            level[i] = l;
+            size[l]++;
+        }
+        levels = 0;
+        for (int l = 0; l < LEVELS; l++) {
+            if (size[l] > 0) {
+                used[levels++] = l;
+            }
+        }
+    }
+
+    /** Gives each level its cells, twice as many as circles or more, and returns how many there are. */
+    private int layOut() {
+        int cells = 0;
+        for (int k = 0; k < levels; k++) {
+            int l = used[k];
+            side[l] = l == TOP ? Double.POSITIVE_INFINITY : unit * Math.scalb(1.0, l - MIDDLE);
+            if (period == null) {
+                fold(l);
+            } else {
+                divide(l, period);
+            }
+            firstCell[l] = cells;
+            cells += columns[l] * rows[l];
+        }
+        return cells;
+    }
+
+    private void fold(int l) {
+        int wanted = 2 * size[l];
+        int across = FEWEST_COLUMNS;
+        while (across * across < wanted) {
+            across *= 2;
+        }
+        columns[l] = l == TOP ? 1 : across;
+        rows[l] = l == TOP ? 1 : Math.max(FEWEST_COLUMNS, across * across / 2 < wanted ? across : across / 2);
+        columnsPerLength[l] = 1 / side[l];
+        rowsPerLength[l] = 1 / side[l];
+    }
+
+    private void divide(int l, Period world) {
+        double across = Math.floor(world.width() / side[l]);
+        double up = Math.floor(world.height() / side[l]);
+        double shrink = Math.max(1, Math.sqrt(across * up / (4.0 * size[l] + FEWEST_COLUMNS * FEWEST_COLUMNS)));
+        columns[l] = divisions(across / shrink);
+        rows[l] = divisions(up / shrink);
+        columnsPerLength[l] = columns[l] / world.width();
+        rowsPerLength[l] = rows[l] / world.height();
+    }
+
+    /** Fewer than three would be neighbours on both sides. */
+    private static int divisions(double most) {
+        return most < 3 ? 1 : (int) most;
+    }
+
+    /** The number of a row or column on the torus. */
+    private int fold(double number, int of) {
+        return period == null ? (int) (long) number & of - 1 : (int) Math.floorMod((long) number, of);
+    }
+
+    private void sort(int cells) {
+        if (cells >= start.length) {
+            start = new int[Math.max(cells + 1, 2 * start.length)];
+        }
+        Arrays.fill(start, 0, cells + 1, 0);
+        for (int i = 0; i < count; i++) {
+            int l = level[i];
+            int column = fold(Math.floor(x[i] * columnsPerLength[l]), columns[l]);
+            int row = fold(Math.floor(y[i] * rowsPerLength[l]), rows[l]);
+            int c = firstCell[l] + row * columns[l] + column;
+            cell[i] = c;
+            start[c]++;
+        }
+        int end = 0;
+        for (int c = 0; c <= cells; c++) {
+            end += start[c];
+            start[c] = end;
+        }
+        for (int i = count - 1; i >= 0; i--) {
+            int p = --start[cell[i]];
+            place[i] = p;
+            circle[p] = i;
+            home[p] = cell[i];
+            px[p] = x[i];
+            py[p] = y[i];
+            pr[p] = reach[i];
+        }
+    }
+
+    /**
+     * Finds all pairs of circles that touch, rims included, each once; {@link #first} and {@link #second} give them, the lower
+     * number first.
+     *
+     * @return how many
+     */
+    public int findPairs() {
+        pairs = 0;
+        for (int k = 0; k < levels; k++) {
+            pairWithin(used[k]);
+            for (int m = k + 1; m < levels; m++) {
+                pairAcross(used[k], used[m]);
+            }
+        }
+        return pairs;
+    }
+
+    /** Pairs of one level: each circle with those behind it in its cell, with the cell to the right, and with three of the next row. */
+    private void pairWithin(int l) {
+        int across = columns[l];
+        for (int row = 0; row < rows[l]; row++) {
+            int here = firstCell[l] + row * across;
+            int next = row + 1 < rows[l] ? here + across : firstCell[l];
+            int last = start[here + across];
+            for (int p = start[here]; p < last; p++) {
+                int column = home[p] - here;
+                if (column > 0 && column < across - 1 && next != here) {
+                    pair(p, p + 1, start[here + column + 2]);
+                    pair(p, start[next + column - 1], start[next + column + 2]);
+                } else {
+                    pairAtSeam(p, column, across, here, next);
+                }
+            }
+        }
+    }
+
+    private void pairAtSeam(int p, int column, int across, int here, int next) {
+        pair(p, p + 1, start[here + Math.min(across, column + 2)]);
+        if (across > 1 && column == across - 1) {
+            pair(p, start[here], start[here + 1]);
+        }
+        if (next == here) {
+            return;
+        }
+        pair(p, start[next + Math.max(0, column - 1)], start[next + Math.min(across, column + 2)]);
+        if (across > 1 && column == 0) {
+            pair(p, start[next + across - 1], start[next + across]);
+        }
+        if (across > 1 && column == across - 1) {
+            pair(p, start[next], start[next + 1]);
+        }
+    }
+
+    private void pair(int p, int from, int to) {
+        for (int q = from; q < to; q++) {
+            if (touch(px[q] - px[p], py[q] - py[p], pr[q] + pr[p])) {
+                addPair(circle[p], circle[q]);
+            }
+        }
+    }
+
+    private void addPair(int i, int j) {
+        if (pairs == first.length) {
+            first = Arrays.copyOf(first, 2 * pairs);
+            second = Arrays.copyOf(second, 2 * pairs);
+        }
+        first[pairs] = Math.min(i, j);
+        second[pairs++] = Math.max(i, j);
+    }
+
+    private boolean touch(double dx, double dy, double distance) {
+        double ex = dx;
+        double ey = dy;
+        if (period != null) {
+            ex = nearest(dx, period.width());
+            ey = nearest(dy, period.height());
+        }
+        return ex * ex + ey * ey <= distance * distance;
+    }
+
+    /** Of the difference of two coordinates within one period. */
+    private static double nearest(double difference, double width) {
+        double size = Math.abs(difference);
+        return Math.min(size, width - size);
+    }
+
+    /** Pairs of two levels, asked for by that for which it is cheaper: few large circles, or small ones. */
+    private void pairAcross(int fine, int coarse) {
+        double runs = Math.min(rows[fine], 2 + 1.5 * side[coarse] / side[fine]);
+        boolean fromCoarse = size[coarse] * runs < size[fine] * 3.0;
+        int from = fromCoarse ? coarse : fine;
+        int to = fromCoarse ? fine : coarse;
+        int end = start[firstCell[from] + columns[from] * rows[from]];
+        for (int p = start[firstCell[from]]; p < end; p++) {
+            hits = 0;
+            collect(to, px[p], py[p], pr[p]);
+            for (int hit = 0; hit < hits; hit++) {
+                addPair(circle[p], found[hit]);
+            }
+        }
+    }
+
+    /** Adds the circles of a level that touch this one. */
+    private void collect(int l, double cx, double cy, double r) {
+        double left = Math.floor((cx - r) * columnsPerLength[l] - OVERHANG);
+        double right = Math.floor((cx + r) * columnsPerLength[l] + OVERHANG);
+        double low = Math.floor((cy - r) * rowsPerLength[l] - OVERHANG);
+        double high = Math.floor((cy + r) * rowsPerLength[l] + OVERHANG);
+        int across = columns[l];
+        int from = 0;
+        int to = across;
+        if (right - left + 1 < across) {
+            from = fold(left, across);
+            to = from + (int) (right - left) + 1;
+        }
+        int row = 0;
+        int leftRows = rows[l];
+        if (high - low + 1 < rows[l]) {
+            row = fold(low, rows[l]);
+            leftRows = (int) (high - low) + 1;
+        }
+        for (; leftRows > 0; leftRows--) {
+            int here = firstCell[l] + row * across;
+            collect(cx, cy, r, start[here + from], start[here + Math.min(to, across)]);
+            if (to > across) {
+                collect(cx, cy, r, start[here], start[here + to - across]);
+            }
+            row = row + 1 < rows[l] ? row + 1 : 0;
+        }
+    }
+
+    private void collect(double cx, double cy, double r, int from, int to) {
+        for (int q = from; q < to; q++) {
+            if (touch(px[q] - cx, py[q] - cy, pr[q] + r)) {
+                add(circle[q]);
+            }
+        }
+    }
+
+    private void add(int i) {
+        if (hits == found.length) {
+            found = Arrays.copyOf(found, 2 * hits);
+        }
+        found[hits++] = i;
+    }
+
+    /**
+     * Finds the circles, as they are now, that touch this one, each once; {@link #found} gives them, until the next query.
+     *
+     * @return how many
+     */
+    public int query(double centreX, double centreY, double radius) {
+        double cx = period == null ? centreX : period.insideX(centreX);
+        double cy = period == null ? centreY : period.insideY(centreY);
+        double r = withRounding(centreX, centreY, radius);
+        hits = 0;
+        for (int k = 0; k < levels; k++) {
+            collect(used[k], cx, cy, r);
+        }
+        for (int s = 0; s < strays; s++) {
+            if (touch(strayX[s] - cx, strayY[s] - cy, strayReach[s] + r)) {
+                add(stray[s]);
+            }
+        }
+        return hits;
+    }
+
+    /** The {@code hit}-th circle of the last query. */
+    public int found(int hit) {
+        return found[hit];
+    }
+
+    /** The lower number of the {@code k}-th pair. */
+    public int first(int k) {
+        return first[k];
+    }
+
+    /** The higher number of the {@code k}-th pair. */
+    public int second(int k) {
+        return second[k];
+    }
+
+    /** Changes a circle after {@link #build}. */
+    public void move(int i, double centreX, double centreY, double radius) {
+        set(i, centreX, centreY, radius);
+        int p = place[i];
+        if (home[p] < 0) {
+            setStray(-1 - home[p], i);
+        } else if (keepsTo(home[p], i)) {
+            px[p] = x[i];
+            py[p] = y[i];
+            pr[p] = reach[i];
+        } else if (strays < FEW_STRAYS || (double) strays * strays < MOST_STRAYS * MOST_STRAYS * count) {
+            home[p] = -1 - strays;
+            pr[p] = Double.NaN;
+            growStrays();
+            setStray(strays++, i);
+        } else {
+            build();
+        }
+    }
+
+    /** Whether a circle is within half a cell of the cell that it was sorted into. */
+    private boolean keepsTo(int c, int i) {
+        int l = level[i];
+        int row = (c - firstCell[l]) / columns[l];
+        int column = c - firstCell[l] - row * columns[l];
+        return keepsTo(
+                        column,
+                        columns[l],
+                        (x[i] - reach[i]) * columnsPerLength[l],
+                        (x[i] + reach[i]) * columnsPerLength[l])
+                && keepsTo(row, rows[l], (y[i] - reach[i]) * rowsPerLength[l], (y[i] + reach[i]) * rowsPerLength[l]);
+    }
+
+    private boolean keepsTo(int number, int of, double low, double high) {
+        double least = Math.ceil(high - 1.5);
+        double most = Math.floor(low + 0.5);
+        return of == 1 || least <= most && (fold(least, of) == number || fold(most, of) == number);
+    }
+
+    private void setStray(int s, int i) {
+        stray[s] = i;
+        strayX[s] = x[i];
+        strayY[s] = y[i];
+        strayReach[s] = reach[i];
+    }
+
+    private void growStrays() {
+        if (strays == stray.length) {
+            stray = Arrays.copyOf(stray, 2 * strays);
+            strayX = Arrays.copyOf(strayX, 2 * strays);
+            strayY = Arrays.copyOf(strayY, 2 * strays);
+            strayReach = Arrays.copyOf(strayReach, 2 * strays);
+        }
+    }
+}
