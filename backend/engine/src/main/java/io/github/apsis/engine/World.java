@@ -58,6 +58,7 @@ public final class World {
     private final Stepper stepper;
     private final List<Departure> departures = new ArrayList<>();
     private long tick;
+    private boolean numbersKnown; // of all bodies since the last tick: only what is added may be beyond them
 
     public World(WorldSpec spec) {
         this.spec = spec;
@@ -75,7 +76,7 @@ public final class World {
      */
     public void step() {
         if (spec.dt() > 0) {
-            if (stepper.needsNumbers() && !bodies.areWithinNumbers()) {
+            if (!numbersKnown && stepper.needsNumbers() && !bodies.areWithinNumbers()) {
                 letGo(); // powers of such a speed are beyond a series, and no wall holds it
             }
             adaptGravity();
@@ -87,6 +88,7 @@ public final class World {
             requireNumbers();
             letGo();
         }
+        numbersKnown = true;
     }
 
     /** Tells a listener of every bounce from now on; there is one listener, the last. */
@@ -139,6 +141,7 @@ public final class World {
             return new Rejected(Reason.WORLD_FULL);
         }
         BodyDef body = command.body();
+        numbersKnown = false;
         if (!spec.boundary().holds(body.x(), body.y(), body.radius())) {
             return new Rejected(Reason.OUTSIDE_WORLD);
         }

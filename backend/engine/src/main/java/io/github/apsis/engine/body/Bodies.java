@@ -568,6 +568,15 @@ public final class Bodies {
         return thrustY[i];
     }
 
+    /** The acceleration by a ship's engine. Where there are no ships it is asked for of every body, and nothing is read. */
+    public double thrustAccelerationX(int i) {
+        return ships.length == 0 ? 0 : thrustX[i] * inverseMass[i];
+    }
+
+    public double thrustAccelerationY(int i) {
+        return ships.length == 0 ? 0 : thrustY[i] * inverseMass[i];
+    }
+
     public void setThrust(int i, double forceX, double forceY) {
         thrustX[i] = forceX;
         thrustY[i] = forceY;

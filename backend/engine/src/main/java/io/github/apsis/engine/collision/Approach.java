@@ -32,15 +32,19 @@ final class Approach {
     }
 
     /**
-     * The same, with the normal from where an impulse at time t acts in the integrator's own steps: straight back from the end
+     * The same without the gap, with the normal from where an impulse at time t acts in the integrator's own steps: straight back from the end
      * of the path. With it the two impulses of a contact have no moment, and angular momentum stays; without forces, and where
      * these act along the line of centres, it is the line of centres itself. Exact contacts have the line of centres always.
      */
     void measureImpact(Bodies bodies, int a, int b, double t) {
-        measure(bodies, a, b, t);
-        if (b >= 0 && mode != ContactMode.EXACT) {
+        if (b < 0 || mode == ContactMode.EXACT) {
+            measure(bodies, a, b, t);
+        } else {
             double left = paths.dt() - t;
-            contact.turn(
+            contact.fillLine(
+                    bodies,
+                    a,
+                    b,
                     bodies.x(b) - bodies.vx(b) * left - (bodies.x(a) - bodies.vx(a) * left),
                     bodies.y(b) - bodies.vy(b) * left - (bodies.y(a) - bodies.vy(a) * left));
         }

@@ -15,9 +15,7 @@ final class BroadPhase {
 
     private final CircleGrid grid;
 
-    private double x;
-    private double y;
-    private double reach;
+    private double mostAcceleration;
 
     BroadPhase(@Nullable Period period) {
         grid = new CircleGrid(period);
@@ -26,11 +24,19 @@ final class BroadPhase {
     /** Sorts the paths of all bodies. */
     void build(Bodies bodies, Paths paths) {
         grid.begin(bodies.count());
+        double most = 0;
         for (int i = 0; i < bodies.count(); i++) {
-            enclose(bodies, paths, i);
-            grid.set(i, x, y, reach);
+            double acceleration = acceleration(bodies, i);
+            most = acceleration > most ? acceleration : most; // Math.max would wait for the one before
+            set(bodies, paths, i, acceleration);
         }
+        mostAcceleration = most;
         grid.build();
+    }
+
+    /** No body that was sorted is accelerated more. */
+    double mostAcceleration() {
+        return mostAcceleration;
     }
 
     /** Finds all pairs whose paths may touch, each once: {@link #first} and {@link #second} give them, and how many is returned. */
@@ -46,34 +52,35 @@ final class BroadPhase {
         return grid.second(pair);
     }
 
-    /** Tells the grid that the path of a body has been bent. */
+    /** The path of a body has been bent. */
     void update(Bodies bodies, Paths paths, int i) {
-        enclose(bodies, paths, i);
-        grid.move(i, x, y, reach);
+        set(bodies, paths, i, acceleration(bodies, i));
+        grid.move(i);
     }
 
-    private void enclose(Bodies bodies, Paths paths, int i) {
+    private static double acceleration(Bodies bodies, int i) {
+        return Math.abs(Paths.accelerationX(bodies, i)) + Math.abs(Paths.accelerationY(bodies, i));
+    }
+
+    private void set(Bodies bodies, Paths paths, int i, double acceleration) {
         double wx = bodies.x(i) - paths.startX(i);
         double wy = bodies.y(i) - paths.startY(i);
         double length = paths.dt() - paths.startTime(i);
         // A parabola leaves its chord by a T²/8 at most; a body that is stopped by another is a T² from where it would
         // be.
         double bulge = length * length / 8 + paths.dt() * paths.dt();
-        double a = Math.abs(Paths.accelerationX(bodies, i)) + Math.abs(Paths.accelerationY(bodies, i));
-        x = paths.startX(i) + 0.5 * wx;
-        y = paths.startY(i) + 0.5 * wy;
-        reach = GRAZING * (bodies.radius(i) + 0.5 * Math.sqrt(wx * wx + wy * wy) + a * bulge);
+        double reach = bodies.radius(i) + 0.5 * Math.sqrt(wx * wx + wy * wy) + acceleration * bulge;
+        grid.set(i, paths.startX(i) + 0.5 * wx, paths.startY(i) + 0.5 * wy, GRAZING * reach);
     }
 
     /**
-     * Finds the bodies, in a fixed order, whose paths may touch the present path of body {@code i}; itself is among
+     * Finds the bodies, in a fixed order, whose paths may touch that of body {@code i} since it was last bent; itself is among
      * them. In a periodic world also across the seam.
      *
      * @return how many; {@link #near} gives them until the next call
      */
-    int findNear(Bodies bodies, Paths paths, int i) {
-        enclose(bodies, paths, i);
-        return grid.query(x, y, reach);
+    int findNear(int i) {
+        return grid.query(i);
     }
 
     int near(int hit) {

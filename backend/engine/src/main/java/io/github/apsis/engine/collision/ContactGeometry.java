@@ -62,6 +62,13 @@ final class ContactGeometry {
         turn(dx, dy, Math.sqrt(dx * dx + dy * dy));
     }
 
+    /** Fills in the line of two bodies along a separation, or along that of its nearest image, and leaves the gap unknown. */
+    void fillLine(Bodies bodies, int a, int b, double separationX, double separationY) {
+        turn(separationX, separationY);
+        gap = Double.NaN;
+        inverseMass = bodies.inverseMass(a) + bodies.inverseMass(b);
+    }
+
     /** The geometry where the bodies stand now, at the end of their paths. */
     void fillNow(Bodies bodies, int a, int b) {
         double xb = b < 0 ? 0 : bodies.x(b);

@@ -25,6 +25,7 @@ final class ImpactPredictor {
     private final ContactMode mode;
     private final PairIndex hopping = new PairIndex(); // come to rest in this tick
     private final PairList gentle = new PairList(); // found since the last were listed
+    private double mostAcceleration; // of any body in this tick, or more
     private final int mostImpacts; // of one body in a tick; what comes after is at rest
 
     ImpactPredictor(
@@ -54,17 +55,26 @@ final class ImpactPredictor {
         touching.begin(bodies);
         hopping.clear();
         gentle.clear(bodies.count());
-        for (int i = 0; i < bodies.count(); i++) {
-            predictWalls(bodies, i);
+        if (walls != null) {
+            predictAllWalls(bodies, walls);
         }
         if (broadPhase != null) {
             broadPhase.build(bodies, paths);
+            mostAcceleration = broadPhase.mostAcceleration();
             int pairs = broadPhase.findPairs();
             for (int k = 0; k < pairs; k++) {
                 predict(bodies, broadPhase.first(k), broadPhase.second(k));
             }
         }
         listGentle(bodies);
+    }
+
+    private void predictAllWalls(Bodies bodies, WallSet set) {
+        for (int i = 0; i < bodies.count(); i++) {
+            if (mode == ContactMode.EXACT || !set.contains(bodies, i, 0)) {
+                predictWalls(bodies, i);
+            }
+        }
     }
 
     /** A path has been bent. */
@@ -89,7 +99,7 @@ final class ImpactPredictor {
         if (broadPhase == null) {
             return;
         }
-        int hits = broadPhase.findNear(bodies, paths, i);
+        int hits = broadPhase.findNear(i);
         for (int hit = 0; hit < hits; hit++) {
             int other = broadPhase.near(hit);
             if (other != i && other != partner) {
@@ -126,7 +136,7 @@ final class ImpactPredictor {
                 rest(bodies, i, wall);
             }
         }
-        int hits = broadPhase == null ? 0 : broadPhase.findNear(bodies, paths, i);
+        int hits = broadPhase == null ? 0 : broadPhase.findNear(i);
         for (int hit = 0; hit < hits; hit++) {
             int a = Math.min(i, near(hit));
             int b = Math.max(i, near(hit));
@@ -156,23 +166,28 @@ final class ImpactPredictor {
             return; // points never touch, and their contact would have no normal
         }
         meeting.of(bodies, a, b);
-        double t = meeting.time(sumOfRadii);
+        double t = meeting.time(bodies, sumOfRadii);
         if (!Double.isNaN(t)) {
             enqueue(bodies, a, b, t);
-        } else if (meeting.lastDistance() < sumOfRadii + Paths.acceleration(bodies, a, b) * paths.dt() * paths.dt()) {
+        } else if (endsNear(bodies, a, b, sumOfRadii)) {
             gentle.add(a, b); // a neighbour that is stopped in this tick may be run into by one that falls beside it
         }
     }
 
+    /** Whether two end the tick within the way that their acceleration would push them in it. */
+    private boolean endsNear(Bodies bodies, int a, int b, double sumOfRadii) {
+        double last = meeting.lastDistance();
+        double tick2 = paths.dt() * paths.dt();
+        return last < sumOfRadii + mostAcceleration * tick2
+                && last < sumOfRadii + Paths.acceleration(bodies, a, b) * tick2;
+    }
+
     private void predictWalls(Bodies bodies, int i) {
-        if (walls == null || bodies.isFixed(i)) {
+        if (walls == null || mode == ContactMode.TICK && walls.contains(bodies, i, 0) || bodies.isFixed(i)) {
             return;
         }
         if (mode == ContactMode.EXACT) {
             predictWallsExactly(bodies, walls, i);
-            return;
-        }
-        if (walls.contains(bodies, i, 0)) {
             return;
         }
         double t0 = paths.startTime(i);

@@ -31,29 +31,34 @@ final class ImpactQueue {
             secondVersion = Arrays.copyOf(secondVersion, 2 * size);
         }
         int k = size++;
-        set(k, t, a, b, versionOfA, versionOfB);
-        while (k > 0 && before(k, (k - 1) / 2)) {
-            swap(k, (k - 1) / 2);
+        while (k > 0 && isBefore(t, a, b, (k - 1) / 2)) {
+            move((k - 1) / 2, k);
             k = (k - 1) / 2;
         }
+        set(k, t, a, b, versionOfA, versionOfB);
     }
 
     /** The earliest impact stands at the head: {@link #time}, {@link #first} and the others read it. */
     void pop() {
         size--;
-        swap(0, size);
+        double t = time[size];
+        int a = first[size];
+        int b = second[size];
+        int versionOfA = firstVersion[size];
+        int versionOfB = secondVersion[size];
         int k = 0;
         while (2 * k + 1 < size) {
             int child = 2 * k + 1;
-            if (child + 1 < size && before(child + 1, child)) {
+            if (child + 1 < size && isBefore(time[child + 1], first[child + 1], second[child + 1], child)) {
                 child++;
             }
-            if (!before(child, k)) {
-                return;
+            if (isBefore(t, a, b, child)) {
+                break;
             }
-            swap(k, child);
+            move(child, k);
             k = child;
         }
+        set(k, t, a, b, versionOfA, versionOfB);
     }
 
     double time() {
@@ -77,11 +82,11 @@ final class ImpactQueue {
         return secondVersion[0];
     }
 
-    private boolean before(int k, int l) {
-        if (time[k] != time[l]) {
-            return time[k] < time[l];
+    private boolean isBefore(double t, int a, int b, int k) {
+        if (t != time[k]) {
+            return t < time[k];
         }
-        return first[k] != first[l] ? first[k] < first[l] : second[k] < second[l];
+        return a != first[k] ? a < first[k] : b < second[k];
     }
 
     private void set(int k, double t, int a, int b, int versionOfA, int versionOfB) {
@@ -92,13 +97,7 @@ final class ImpactQueue {
         secondVersion[k] = versionOfB;
     }
 
-    private void swap(int k, int l) {
-        double t = time[k];
-        int a = first[k];
-        int b = second[k];
-        int versionOfA = firstVersion[k];
-        int versionOfB = secondVersion[k];
-        set(k, time[l], first[l], second[l], firstVersion[l], secondVersion[l]);
-        set(l, t, a, b, versionOfA, versionOfB);
+    private void move(int from, int to) {
+        set(to, time[from], first[from], second[from], firstVersion[from], secondVersion[from]);
     }
 }

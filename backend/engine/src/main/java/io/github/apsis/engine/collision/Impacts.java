@@ -113,10 +113,15 @@ final class Impacts {
     /** Takes the earliest impact, and those that share a body with it and touch by then but for rounding. */
     private void collectMoment(Bodies bodies, double t) {
         moment.clear(bodies.count());
-        moment.add(queue.first(), queue.second());
-        approach.measure(bodies, queue.first(), queue.second(), t);
-        double closing = approach.closingSpeed();
+        int first = queue.first();
+        int second = queue.second();
+        moment.add(first, second);
         queue.pop();
+        if (queue.isEmpty() || queue.time() - t > SAME * paths.dt()) {
+            return; // by far the usual case
+        }
+        approach.measure(bodies, first, second, t);
+        double closing = approach.closingSpeed();
         while (!queue.isEmpty() && queue.time() - t <= SAME * paths.dt()) {
             int a = queue.first();
             int b = queue.second();
@@ -173,9 +178,11 @@ final class Impacts {
         if (hops) {
             predictor.hop(bodies, a, b);
         }
-        predictor.predictNext(bodies, a, b);
         if (b >= 0) {
             bend(bodies, b, t, px * bodies.inverseMass(b), py * bodies.inverseMass(b));
+        }
+        predictor.predictNext(bodies, a, b);
+        if (b >= 0) {
             predictor.predictNext(bodies, b, a);
             predictor.predictAgain(bodies, a, b);
         }
@@ -234,11 +241,11 @@ final class Impacts {
      * has added or not yet added is none of the bounce's.
      */
     private double speedByThrust(Bodies bodies, int a, int b, double nx, double ny, double t) {
-        double x = -bodies.thrustX(a) * bodies.inverseMass(a);
-        double y = -bodies.thrustY(a) * bodies.inverseMass(a);
+        double x = -bodies.thrustAccelerationX(a);
+        double y = -bodies.thrustAccelerationY(a);
         if (b >= 0) {
-            x += bodies.thrustX(b) * bodies.inverseMass(b);
-            y += bodies.thrustY(b) * bodies.inverseMass(b);
+            x += bodies.thrustAccelerationX(b);
+            y += bodies.thrustAccelerationY(b);
         }
         return (x * nx + y * ny) * (t - 0.5 * paths.dt());
     }

@@ -15,6 +15,8 @@ final class Meeting {
     private final Paths paths;
     private final @Nullable Period period;
     private final ContactMode mode;
+    private int one;
+    private int other;
 
     // The separation from t0, when both paths have begun, to the end of the tick.
     private double t0;
@@ -22,8 +24,7 @@ final class Meeting {
     private double d0y;
     private double d1x;
     private double d1y;
-    private double v0x; // at t0, length / time
-    private double v0y;
+
     private double bx; // relative acceleration
     private double by;
 
@@ -37,22 +38,26 @@ final class Meeting {
 
     /** Fills in the separation of two bodies on their present paths. */
     void of(Bodies bodies, int a, int b) {
+        one = a;
+        other = b;
         t0 = Math.max(paths.startTime(a), paths.startTime(b));
         d0x = paths.xAt(bodies, b, t0) - paths.xAt(bodies, a, t0);
         d0y = paths.yAt(bodies, b, t0) - paths.yAt(bodies, a, t0);
         d1x = bodies.x(b) - bodies.x(a);
         d1y = bodies.y(b) - bodies.y(a);
-        v0x = paths.vxAt(bodies, b, t0) - paths.vxAt(bodies, a, t0);
-        v0y = paths.vyAt(bodies, b, t0) - paths.vyAt(bodies, a, t0);
-        bx = Paths.accelerationX(bodies, b) - Paths.accelerationX(bodies, a);
-        by = Paths.accelerationY(bodies, b) - Paths.accelerationY(bodies, a);
+    }
+
+    private void accelerate(Bodies bodies) {
+        bx = Paths.accelerationX(bodies, other) - Paths.accelerationX(bodies, one);
+        by = Paths.accelerationY(bodies, other) - Paths.accelerationY(bodies, one);
     }
 
     /** The time of the first touch, NaN for none. */
-    double time(double sumOfRadii) {
+    double time(Bodies bodies, double sumOfRadii) {
         if (period == null) {
-            return time(0, 0, sumOfRadii);
+            return time(bodies, 0, 0, sumOfRadii);
         }
+        accelerate(bodies);
         earliest = Double.NaN;
         double bulge = (Math.abs(bx) + Math.abs(by)) * (paths.dt() - t0) * (paths.dt() - t0) / 8;
         double reach = sumOfRadii + bulge;
@@ -60,7 +65,7 @@ final class Meeting {
         long last = Math.round(Math.floor((Math.max(d0x, d1x) + reach) / period.width()));
         boolean forwards = d1x >= d0x;
         for (long n = 0; n <= Math.min(last - first, MOST_PERIODS); n++) {
-            searchColumn((forwards ? first + n : last - n) * period.width(), reach, sumOfRadii);
+            searchColumn(bodies, (forwards ? first + n : last - n) * period.width(), reach, sumOfRadii);
             if (n > 1 && !Double.isNaN(earliest)) {
                 break; // columns are met one after the other; those that overlap in time are neighbours
             }
@@ -69,7 +74,7 @@ final class Meeting {
     }
 
     /** Looks at the images in one column that the separation passes while it is within reach of the column. */
-    private void searchColumn(double shiftX, double reach, double sumOfRadii) {
+    private void searchColumn(Bodies bodies, double shiftX, double reach, double sumOfRadii) {
         double wx = d1x - d0x;
         double enter = wx == 0 ? 0 : Math.min(1, Math.max(0, (shiftX - Math.copySign(reach, wx) - d0x) / wx));
         double leave = wx == 0 ? 1 : Math.min(1, Math.max(0, (shiftX + Math.copySign(reach, wx) - d0x) / wx));
@@ -80,7 +85,7 @@ final class Meeting {
         long last = Math.round(Math.floor((Math.max(from, to) + reach) / height));
         boolean forwards = to >= from;
         for (long n = 0; n <= Math.min(last - first, MOST_PERIODS); n++) {
-            double t = time(shiftX, (forwards ? first + n : last - n) * height, sumOfRadii);
+            double t = time(bodies, shiftX, (forwards ? first + n : last - n) * height, sumOfRadii);
             if (t < earliest || Double.isNaN(earliest)) {
                 earliest = t;
             }
@@ -97,13 +102,35 @@ final class Meeting {
         return period;
     }
 
-    private double time(double shiftX, double shiftY, double sumOfRadii) {
-        if (mode == ContactMode.EXACT && (bx != 0 || by != 0)) {
-            return FirstTouch.ofCircles(
-                    d0x - shiftX, d0y - shiftY, d1x - shiftX, d1y - shiftY, bx, by, t0, paths.dt(), sumOfRadii);
+    private double time(Bodies bodies, double shiftX, double shiftY, double sumOfRadii) {
+        double fromX = d0x - shiftX;
+        double fromY = d0y - shiftY;
+        double toX = d1x - shiftX;
+        double toY = d1y - shiftY;
+        if (mode == ContactMode.EXACT) {
+            accelerate(bodies);
+            if (bx != 0 || by != 0) {
+                return FirstTouch.ofCircles(fromX, fromY, toX, toY, bx, by, t0, paths.dt(), sumOfRadii);
+            }
         }
-        return TimeOfImpact.ofCircles(
-                d0x - shiftX, d0y - shiftY, d1x - shiftX, d1y - shiftY, v0x, v0y, bx, by, t0, paths.dt(), sumOfRadii);
+        double outside = fromX * fromX + fromY * fromY - sumOfRadii * sumOfRadii;
+        if (outside <= 0) {
+            return approach(bodies, fromX, fromY) ? t0 : Double.NaN;
+        }
+        double share = TimeOfImpact.onChord(fromX, fromY, toX - fromX, toY - fromY, outside, sumOfRadii);
+        if (Double.isNaN(share)) {
+            return Double.NaN; // before anything is asked for that those who miss do not need
+        }
+        accelerate(bodies);
+        return TimeOfImpact.onParabola(
+                share, fromX, fromY, toX - fromX, toY - fromY, bx, by, t0, paths.dt(), sumOfRadii);
+    }
+
+    /** Whether circles that touch already come closer. At the end of a tick no path is left, so velocities decide. */
+    private boolean approach(Bodies bodies, double dx, double dy) {
+        double vx = paths.vxAt(bodies, other, t0) - paths.vxAt(bodies, one, t0);
+        double vy = paths.vyAt(bodies, other, t0) - paths.vyAt(bodies, one, t0);
+        return dx * vx + dy * vy < 0 || (dx == 0 && dy == 0);
     }
 
     /** How far apart the centres end, of images the nearest. */

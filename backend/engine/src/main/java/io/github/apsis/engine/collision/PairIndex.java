@@ -20,7 +20,7 @@ final class PairIndex {
 
     /** The position of a pair, or −1. */
     int find(int first, int second) {
-        return place[at(pair(first, second))] - 1;
+        return size == 0 ? -1 : place[at(pair(first, second))] - 1;
     }
 
     void put(int first, int second, int position) {

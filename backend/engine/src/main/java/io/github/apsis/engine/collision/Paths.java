@@ -64,11 +64,11 @@ final class Paths {
     }
 
     static double accelerationX(Bodies bodies, int i) {
-        return bodies.ax(i) + bodies.thrustX(i) * bodies.inverseMass(i);
+        return bodies.ax(i) + bodies.thrustAccelerationX(i);
     }
 
     static double accelerationY(Bodies bodies, int i) {
-        return bodies.ay(i) + bodies.thrustY(i) * bodies.inverseMass(i);
+        return bodies.ay(i) + bodies.thrustAccelerationY(i);
     }
 
     /** The larger of the accelerations of two partners, of which the second may be a wall. */

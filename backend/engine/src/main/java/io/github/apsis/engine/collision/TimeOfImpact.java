@@ -19,28 +19,10 @@ final class TimeOfImpact {
     private TimeOfImpact() {}
 
     /**
-     * @param v0x relative velocity at t0, which decides where the circles touch already: at the end of a tick no path is left
-     * @return the time of the first touch, {@code t0} for circles that touch already and approach, NaN for none
+     * Where on the chord the circles touch first, as a share of it; NaN where they never do. They are apart at its beginning:
+     * {@code outside} = |d0|² − R² is positive.
      */
-    static double ofCircles(
-            double d0x,
-            double d0y,
-            double d1x,
-            double d1y,
-            double v0x,
-            double v0y,
-            double bx,
-            double by,
-            double t0,
-            double t1,
-            double sumOfRadii) {
-        double length = t1 - t0;
-        double wx = d1x - d0x;
-        double wy = d1y - d0y;
-        double outside = d0x * d0x + d0y * d0y - sumOfRadii * sumOfRadii;
-        if (outside <= 0) {
-            return d0x * v0x + d0y * v0y < 0 || (d0x == 0 && d0y == 0) ? t0 : Double.NaN;
-        }
+    static double onChord(double d0x, double d0y, double wx, double wy, double outside, double sumOfRadii) {
         double closing = d0x * wx + d0y * wy;
         double w2 = wx * wx + wy * wy;
         // closing² − w² outside, written so that a fast body and a small target keep their digits.
@@ -50,9 +32,22 @@ final class TimeOfImpact {
             return Double.NaN;
         }
         double share = outside / (-closing + Math.sqrt(discriminant)); // the earlier root, without cancellation
-        if (share > 1) {
-            return Double.NaN;
-        }
+        return share > 1 ? Double.NaN : share;
+    }
+
+    /** The time of the touch on the parabola, from that on its chord. */
+    static double onParabola(
+            double share,
+            double d0x,
+            double d0y,
+            double wx,
+            double wy,
+            double bx,
+            double by,
+            double t0,
+            double t1,
+            double sumOfRadii) {
+        double length = t1 - t0;
         double t = t0 + share * length;
         if (bx == 0 && by == 0) {
             return t;
@@ -73,7 +68,7 @@ final class TimeOfImpact {
         return t;
     }
 
-    /** The same for a distance along one axis, zero at the touch: a circle and a wall. */
+    /** The time of the first touch of a circle and a wall, whose distance is along one axis and zero at the touch; NaN for none. */
     static double ofWall(double gap0, double gap1, double v0, double b, double t0, double t1) {
         double length = t1 - t0;
         double w = gap1 - gap0;

@@ -26,14 +26,18 @@ final class Touching {
     private double[] settlingBefore = new double[16];
     private double[] partingBefore = new double[16];
     private long removals = -1;
+    private boolean isBorne; // whether anything was given support
     private double[] support = new double[32]; // x, y of the speed that contacts gave each body in the last tick
 
     /** Begins a new tick. */
     void begin(Bodies bodies) {
         if (2 * bodies.count() > support.length) {
-            support = new double[Math.max(2 * bodies.count(), 2 * support.length)];
+            support = Arrays.copyOf(support, Math.max(2 * bodies.count(), 2 * support.length));
         }
-        Arrays.fill(support, 0, 2 * bodies.count(), 0);
+        if (isBorne) {
+            Arrays.fill(support, 0);
+            isBorne = false;
+        }
         indexBefore.clear();
         if (bodies.removals() == removals) {
             keep(bodies);
@@ -73,6 +77,7 @@ final class Touching {
 
     private void support(Bodies bodies, int i, double px, double py) {
         if (i >= 0) {
+            isBorne = true;
             support[2 * i] += px * bodies.inverseMass(i);
             support[2 * i + 1] += py * bodies.inverseMass(i);
         }
@@ -80,7 +85,9 @@ final class Touching {
 
     /** The speed that contacts at rest gave to a body in the last tick: what it lies on bore so much of its fall. */
     double support(int i) {
-        return i < 0 ? 0 : Math.sqrt(support[2 * i] * support[2 * i] + support[2 * i + 1] * support[2 * i + 1]);
+        return i < 0 || !isBorne
+                ? 0
+                : Math.sqrt(support[2 * i] * support[2 * i] + support[2 * i + 1] * support[2 * i + 1]);
     }
 
     /** Adds a contact between {@code a} and {@code b}, or a wall as a negative number, as it is at its beginning; once. */

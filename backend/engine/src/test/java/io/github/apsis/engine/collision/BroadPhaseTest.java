@@ -47,7 +47,7 @@ class BroadPhaseTest {
             paths.bend(bodies, i, rng.between(0, DT), rng.between(-1000, 1000), rng.between(-1000, 1000));
             broadPhase.update(bodies, paths, i);
 
-            assertThat(found(broadPhase, bodies, paths, i))
+            assertThat(found(broadPhase, i))
                     .as("seed %d, body %d", seed, i)
                     .containsAll(meeting(bodies, paths, period, i));
         }
@@ -78,9 +78,9 @@ class BroadPhaseTest {
         return found;
     }
 
-    private static List<Integer> found(BroadPhase broadPhase, Bodies bodies, Paths paths, int i) {
+    private static List<Integer> found(BroadPhase broadPhase, int i) {
         List<Integer> found = new ArrayList<>();
-        int hits = broadPhase.findNear(bodies, paths, i);
+        int hits = broadPhase.findNear(i);
         for (int hit = 0; hit < hits; hit++) {
             found.add(broadPhase.near(hit));
         }
@@ -116,6 +116,6 @@ class BroadPhaseTest {
     private static boolean meet(Meeting meeting, Bodies bodies, int a, int b) {
         double sumOfRadii = bodies.radius(a) + bodies.radius(b);
         meeting.of(bodies, a, b);
-        return !Double.isNaN(meeting.time(sumOfRadii)) || meeting.lastDistance() < sumOfRadii;
+        return !Double.isNaN(meeting.time(bodies, sumOfRadii)) || meeting.lastDistance() < sumOfRadii;
     }
 }
