@@ -25,9 +25,10 @@ class ArchitectureTest {
     @ParameterizedTest
     @CsvSource({
         "math, ''",
+        "parallel, ''",
         "body, 'math'",
         "spatial, 'body math'",
-        "force, 'body spatial math'",
+        "force, 'body spatial math parallel'",
         "steering, 'body spatial math'",
         "integration, 'force body math'",
         "collision, 'body spatial math'",
