@@ -2,6 +2,7 @@ package io.github.apsis.engine.force;
 
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.force.GravitySolver.Method;
+import io.github.apsis.engine.parallel.Team;
 import java.util.OptionalDouble;
 
 /**
@@ -41,12 +42,17 @@ public final class AdaptiveGravity implements ForceLaw {
      * @param allowedError above 0, below 1
      */
     public AdaptiveGravity(double g, double softening, double allowedError) {
+        this(g, softening, allowedError, Team.ofOne());
+    }
+
+    /** Gravity with this relative error, worked out by a team where there is enough of it. */
+    public AdaptiveGravity(double g, double softening, double allowedError, Team team) {
         if (!(allowedError > 0 && allowedError < 1)) {
             throw new IllegalArgumentException("a force error must be above 0 and below 1, was " + allowedError);
         }
         this.allowedError = allowedError;
-        this.direct = new DirectGravity(g, softening);
-        this.tree = new TreeGravity(g, softening, LADDER[FIRST_RUNG]);
+        this.direct = new DirectGravity(g, softening, team);
+        this.tree = new TreeGravity(g, softening, LADDER[FIRST_RUNG], team);
         this.sample = new GravitySample(g, softening);
     }
 

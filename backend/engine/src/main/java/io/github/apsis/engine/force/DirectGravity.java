@@ -2,6 +2,7 @@ package io.github.apsis.engine.force;
 
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.math.CompensatedSum;
+import io.github.apsis.engine.parallel.Team;
 import java.util.OptionalDouble;
 
 /**
@@ -20,12 +21,17 @@ public final class DirectGravity implements ForceLaw {
 
     private final double g; // length³ / (mass · time²)
     private final double softeningSquared; // length²
-    private final PointMasses masses;
+    private final DirectSum sum;
 
     public DirectGravity(double g, double softening) {
+        this(g, softening, Team.ofOne());
+    }
+
+    /** Gravity, worked out by a team where there is enough of it. */
+    public DirectGravity(double g, double softening, Team team) {
         this.g = g;
         this.softeningSquared = softening * softening;
-        this.masses = new PointMasses(softening);
+        this.sum = new DirectSum(g, softening, team);
     }
 
     @Override
@@ -34,9 +40,7 @@ public final class DirectGravity implements ForceLaw {
             applyInPlace(bodies);
             return;
         }
-        masses.load(bodies);
-        masses.pullWithin(0, bodies.count());
-        masses.giveTo(bodies, g);
+        sum.apply(bodies);
     }
 
     private void applyInPlace(Bodies bodies) {

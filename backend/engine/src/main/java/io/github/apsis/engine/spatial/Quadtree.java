@@ -55,6 +55,14 @@ public final class Quadtree {
         this.leafSize = leafSize;
     }
 
+    /** A tree of points, set by {@link #setPoint} alone; takes half the memory for items. */
+    public static Quadtree ofPoints(int leafSize) {
+        var tree = new Quadtree(leafSize);
+        tree.maxX = tree.minX;
+        tree.maxY = tree.minY;
+        return tree;
+    }
+
     /** Forgets everything and makes room for this many items. */
     public void begin(int items) {
         count = items;
@@ -62,10 +70,11 @@ public final class Quadtree {
         linked = false;
         if (items > minX.length) {
             int capacity = Math.max(items, 2 * minX.length);
+            boolean points = maxX == minX;
             minX = new double[capacity];
             minY = new double[capacity];
-            maxX = new double[capacity];
-            maxY = new double[capacity];
+            maxX = points ? minX : new double[capacity];
+            maxY = points ? minY : new double[capacity];
             order = new long[capacity];
             spare = new long[capacity];
         }
@@ -77,6 +86,12 @@ public final class Quadtree {
         minY[item] = boxMinY;
         maxX[item] = boxMaxX;
         maxY[item] = boxMaxY;
+    }
+
+    /** The place of one item that is a point; finite. */
+    public void setPoint(int item, double x, double y) {
+        minX[item] = x;
+        minY[item] = y;
     }
 
     /** Sorts the items and builds the nodes. */

@@ -1,0 +1,229 @@
+package io.github.apsis.engine.force;
+
+import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.parallel.Team;
+import io.github.apsis.engine.parallel.Work;
+import io.github.apsis.engine.spatial.Quadtree;
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A quadtree over masses, with the centre, the reach and the moments of every cell: the first half of {@link TreeGravity}.
+ *
+ * <p>The tree is cut into boughs: the largest subtrees with no more than a 64th of the bodies, and what stands above them, the
+ * trunk. Boughs do not need each other on the way up, and are the pieces of work. Where they are cut depends on the bodies
+ * alone.
+ */
+final class MassTree implements Work {
+    private static final int LEAF_SIZE = 32; // 16 to 48 take the same time; larger leaves err less
+    private static final int SHARES = 64; // a bough has one of so many of the bodies at most
+
+    /** Length; where 1/r⁷ and r⁵ are numbers. Cells larger or farther out pull body by body. */
+    private static final double LARGEST = 1e40;
+
+    private static final double SMALLEST = 1e-40;
+
+    private final CellKernels[] kernels; // by member of the team
+    private final Quadtree tree = Quadtree.ofPoints(LEAF_SIZE);
+    private final PointMasses masses = new PointMasses();
+    private final CellExpansions cells = new CellExpansions();
+    private double theta;
+    private @Nullable Bodies bodies; // while at work
+
+    private double[] centreX = new double[16];
+    private double[] centreY = new double[16];
+    private double[] cellMass = new double[16];
+    private double[] reach = new double[16]; // r / θ
+
+    private int boughs;
+    private int[] bough = new int[64]; // their cells, ascending
+    private boolean[] ordinaryBough = new boolean[64];
+    private boolean ordinary; // no coordinate is so small that d³ underflows, or so large that d² overflows
+
+    MassTree(CellKernels[] kernels) {
+        this.kernels = kernels;
+    }
+
+    /** Sorts the bodies into a tree and works out its cells. */
+    void plant(Bodies planted, double openingAngle, Team team) {
+        theta = openingAngle;
+        int count = planted.count();
+        tree.begin(count);
+        for (int i = 0; i < count; i++) {
+            tree.setPoint(i, planted.x(i), planted.y(i));
+        }
+        tree.build();
+        masses.begin(count);
+        makeRoom();
+        cutBoughs();
+        bodies = planted;
+        team.share(this, boughs);
+        bodies = null;
+        ordinary = true;
+        for (int k = 0; k < boughs; k++) {
+            ordinary &= ordinaryBough[k];
+        }
+        int next = boughs - 1;
+        for (int cell = tree.nodes() - 1; cell >= 0; cell--) {
+            if (next >= 0 && cell < tree.past(bough[next]) && cell >= bough[next]) {
+                cell = bough[next--]; // done
+            } else {
+                workOut(cell, kernels[0]);
+            }
+        }
+    }
+
+    private void makeRoom() {
+        cells.begin(tree.nodes());
+        for (CellKernels kernel : kernels) {
+            kernel.use(cells);
+        }
+        if (tree.nodes() > reach.length) {
+            int capacity = tree.nodes() + tree.nodes() / 4;
+            centreX = new double[capacity];
+            centreY = new double[capacity];
+            cellMass = new double[capacity];
+            reach = new double[capacity];
+        }
+    }
+
+    private void cutBoughs() {
+        int most = Math.max(LEAF_SIZE, tree.items() / SHARES);
+        boughs = 0;
+        int cell = 0;
+        while (cell < tree.nodes()) {
+            if (tree.size(cell) > most && !tree.isLeaf(cell)) {
+                cell++;
+                continue;
+            }
+            if (boughs == bough.length) {
+                bough = Arrays.copyOf(bough, 2 * boughs);
+                ordinaryBough = new boolean[2 * boughs];
+            }
+            bough[boughs++] = cell;
+            cell = tree.past(cell);
+        }
+    }
+
+    /** Works out the cells of one bough. */
+    @Override
+    public void doPiece(int piece, int member) {
+        int root = bough[piece];
+        if (bodies != null) {
+            masses.load(bodies, tree, tree.first(root), tree.end(root));
+        }
+        ordinaryBough[piece] =
+                masses.liesBetween(NearSources.SMALLEST, NearSources.LARGEST, tree.first(root), tree.end(root));
+        for (int cell = tree.past(root) - 1; cell >= root; cell--) { // children stand behind their parent
+            workOut(cell, kernels[member]);
+        }
+    }
+
+    private void workOut(int cell, CellKernels kernel) {
+        findCentre(cell);
+        findReach(cell);
+        gather(cell, kernel);
+    }
+
+    private void findCentre(int cell) {
+        double m = 0;
+        double mx = 0;
+        double my = 0;
+        if (tree.isLeaf(cell)) {
+            for (int k = tree.first(cell); k < tree.end(cell); k++) {
+                m += masses.mass[k];
+                mx += masses.mass[k] * masses.x[k];
+                my += masses.mass[k] * masses.y[k];
+            }
+        } else {
+            for (int child = cell + 1; child < tree.past(cell); child = tree.past(child)) {
+                m += cellMass[child];
+                mx += cellMass[child] * centreX[child];
+                my += cellMass[child] * centreY[child];
+            }
+        }
+        cellMass[cell] = m;
+        // Any place will do for a cell without mass, as long as it is near.
+        centreX[cell] = m == 0 ? masses.x[tree.first(cell)] : mx / m;
+        centreY[cell] = m == 0 ? masses.y[tree.first(cell)] : my / m;
+    }
+
+    private void findReach(int cell) {
+        double radius =
+                Math.sqrt(farthest(masses.x, masses.y, tree.first(cell), tree.end(cell), centreX[cell], centreY[cell]));
+        double extent = Math.abs(centreX[cell]) + Math.abs(centreY[cell]) + radius;
+        reach[cell] = extent < LARGEST ? Math.max(radius / theta, SMALLEST) : Double.POSITIVE_INFINITY;
+        for (int child = cell + 1; child < tree.past(cell); child = tree.past(child)) {
+            reach[cell] =
+                    Math.max(reach[cell], reach[child]); // so that what is above a cell without expansions has none
+        }
+    }
+
+    private static double farthest(double[] x, double[] y, int start, int stop, double centreX, double centreY) {
+        double farthest = 0;
+        for (int k = start; k < stop; k++) {
+            double dx = x[k] - centreX;
+            double dy = y[k] - centreY;
+            farthest = Math.max(farthest, dx * dx + dy * dy); // NaN stays
+        }
+        return farthest;
+    }
+
+    private void gather(int cell, CellKernels kernel) {
+        if (!expands(cell)) {
+            return;
+        }
+        if (tree.isLeaf(cell)) {
+            for (int k = tree.first(cell); k < tree.end(cell); k++) {
+                kernel.addBody(cell, masses.mass[k], masses.x[k] - centreX[cell], masses.y[k] - centreY[cell]);
+            }
+        } else {
+            for (int child = cell + 1; child < tree.past(cell); child = tree.past(child)) {
+                kernel.addChild(cell, child, centreX[child] - centreX[cell], centreY[child] - centreY[cell]);
+            }
+        }
+    }
+
+    /** The nodes. */
+    Quadtree tree() {
+        return tree;
+    }
+
+    /** The bodies in the order of the tree. */
+    PointMasses masses() {
+        return masses;
+    }
+
+    /** Whether distances between any of the bodies have cubes, unless they are 0. */
+    boolean isOrdinary() {
+        return ordinary;
+    }
+
+    /** Centre of mass. */
+    double centreX(int cell) {
+        return centreX[cell];
+    }
+
+    double centreY(int cell) {
+        return centreY[cell];
+    }
+
+    /** The distance of the farthest body from the centre, over θ; infinite for a cell that has no expansion. */
+    double reach(int cell) {
+        return reach[cell];
+    }
+
+    boolean expands(int cell) {
+        return reach[cell] < Double.POSITIVE_INFINITY;
+    }
+
+    /** How many boughs there are. */
+    int boughs() {
+        return boughs;
+    }
+
+    /** The cell that a bough begins with. */
+    int bough(int k) {
+        return bough[k];
+    }
+}
