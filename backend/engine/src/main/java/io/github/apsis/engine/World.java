@@ -33,6 +33,7 @@ import io.github.apsis.engine.integration.TaylorStep;
 import io.github.apsis.engine.integration.VelocityVerlet;
 import io.github.apsis.engine.integration.Yoshida4;
 import io.github.apsis.engine.math.Period;
+import io.github.apsis.engine.parallel.Team;
 import io.github.apsis.engine.steering.Steering;
 import io.github.apsis.engine.stepping.EventStepper;
 import io.github.apsis.engine.stepping.Stepper;
@@ -47,11 +48,12 @@ import org.jspecify.annotations.Nullable;
  * One simulation: bodies under the laws of a {@link WorldSpec}, advanced tick by tick.
  *
  * <p>A world is changed by {@link #apply} and {@link #step} alone, from one thread at a time; what it hands out is a copy.
- * The same spec and the same commands at the same ticks give the same bits, on every machine.
+ * The same spec and the same commands at the same ticks give the same bits, on every machine and by any number of threads.
  */
-public final class World {
+public final class World implements AutoCloseable {
     private final WorldSpec spec;
     private final Bodies bodies = new Bodies();
+    private final Team team;
     private final @Nullable ForceLaw gravity;
     private final Forces forces;
     private final Steering steering;
@@ -62,7 +64,8 @@ public final class World {
 
     public World(WorldSpec spec) {
         this.spec = spec;
-        gravity = gravityOf(spec);
+        team = new Team(spec.threads());
+        gravity = gravityOf(spec, team);
         forces = new Forces(lawsOf(gravity, spec));
         steering = steeringOf(spec);
         stepper = stepperOf(spec, forces);
@@ -89,6 +92,15 @@ public final class World {
             letGo();
         }
         numbersKnown = true;
+    }
+
+    /**
+     * Ends the threads of a world that shares its ticks among several; one of a single thread need not be closed. The world
+     * can still be used, by the caller's thread alone and with the same bits.
+     */
+    @Override
+    public void close() {
+        team.close();
     }
 
     /** Tells a listener of every bounce from now on; there is one listener, the last. */
@@ -298,7 +310,7 @@ public final class World {
         }
     }
 
-    private static @Nullable ForceLaw gravityOf(WorldSpec spec) {
+    private static @Nullable ForceLaw gravityOf(WorldSpec spec, Team team) {
         if (spec.gravity() == 0) {
             return null;
         }
@@ -306,12 +318,12 @@ public final class World {
             return new NearestImageGravity(spec.gravity(), spec.softening(), p.box());
         }
         if (spec.gravityMethod() instanceof GravityMethod.Tree tree) {
-            return new TreeGravity(spec.gravity(), spec.softening(), tree.theta());
+            return new TreeGravity(spec.gravity(), spec.softening(), tree.theta(), team);
         }
         if (spec.gravityMethod() instanceof GravityMethod.Adaptive adaptive) {
-            return new AdaptiveGravity(spec.gravity(), spec.softening(), adaptive.forceError());
+            return new AdaptiveGravity(spec.gravity(), spec.softening(), adaptive.forceError(), team);
         }
-        return new DirectGravity(spec.gravity(), spec.softening());
+        return new DirectGravity(spec.gravity(), spec.softening(), team);
     }
 
     private static List<ForceLaw> lawsOf(@Nullable ForceLaw gravity, WorldSpec spec) {

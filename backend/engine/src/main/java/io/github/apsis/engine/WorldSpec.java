@@ -7,6 +7,7 @@ import io.github.apsis.engine.force.ForceLaw;
 import io.github.apsis.engine.force.UniformField;
 import io.github.apsis.engine.integration.AdaptiveTaylor;
 import io.github.apsis.engine.math.Aabb;
+import io.github.apsis.engine.parallel.Team;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -39,6 +40,7 @@ public final class WorldSpec {
     private final double dt;
     private final long seed;
     private final int maxBodies;
+    private final int threads;
 
     private WorldSpec(Builder builder) {
         gravity = builder.gravity;
@@ -54,6 +56,7 @@ public final class WorldSpec {
         dt = builder.dt;
         seed = builder.seed;
         maxBodies = builder.maxBodies;
+        threads = builder.threads;
     }
 
     public static Builder builder() {
@@ -130,6 +133,11 @@ public final class WorldSpec {
         return maxBodies;
     }
 
+    /** How many threads share the work of a tick, the one that calls {@link World#step} among them. */
+    public int threads() {
+        return threads;
+    }
+
     /** How gravity is summed. */
     public sealed interface GravityMethod {
         /** Every pair, exactly. */
@@ -173,6 +181,7 @@ public final class WorldSpec {
         private double dt = DEFAULT_DT;
         private long seed;
         private int maxBodies = DEFAULT_MAX_BODIES;
+        private int threads = 1;
 
         private Builder() {}
 
@@ -301,6 +310,19 @@ public final class WorldSpec {
 
         public Builder maxBodies(int limit) {
             this.maxBodies = (int) requirePositive("maxBodies", limit);
+            return this;
+        }
+
+        /**
+         * Lets so many threads share the work of a tick, 1 to 256, the one that calls {@link World#step} among them; it is the
+         * same world to the last bit for any number. They are daemons, begin when a tick has enough work for them, which for
+         * gravity is about a thousand bodies, and end with {@link World#close}.
+         */
+        public Builder threads(int count) {
+            if (count < 1 || count > Team.MOST) {
+                throw new IllegalArgumentException("threads must be 1 to " + Team.MOST + ", was " + count);
+            }
+            this.threads = count;
             return this;
         }
 
