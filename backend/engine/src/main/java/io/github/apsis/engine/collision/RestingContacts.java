@@ -49,8 +49,7 @@ final class RestingContacts {
     private final Approach approach;
     private final Parting parting;
     private final ImpulseSolver solver = new ImpulseSolver();
-    private double work; // of all impulses that hold, on the mean velocities of the tick
-    private double workThere; // the same without signs
+    private final ContactPushes pushes = new ContactPushes(solver);
     private int[] settled = new int[16]; // the contacts that are closed at the end of the tick
 
     RestingContacts(Touching touching, Approach approach, @Nullable WallSet walls, @Nullable Period period) {
@@ -103,19 +102,18 @@ final class RestingContacts {
     }
 
     private void holdAll(Bodies bodies, double dt) {
-        work = 0;
-        workThere = 0;
-        pushHolding(bodies, dt);
+        pushes.begin();
+        pushes.pushHolding(bodies, dt);
         boolean changed = true;
         for (int look = 0; look < LOOKS && changed; look++) {
             double rounding = measureGaps(bodies, dt);
             int rounds = solver.solve(TOLERANCE * solver.size(), rounding, mostRounds(solver.size()));
             changed = rounds > 0;
             if (changed) {
-                pushHolding(bodies, dt);
+                pushes.pushHolding(bodies, dt);
             }
         }
-        if (work > NO_WORK * workThere) {
+        if (pushes.didWork(NO_WORK)) {
             holdFlat(bodies, dt);
         }
     }
@@ -162,7 +160,7 @@ final class RestingContacts {
             fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
         }
         if (solver.solve(TOLERANCE * solver.size(), ROUNDING * fastest, mostRounds(solver.size())) > 0) {
-            pushHolding(bodies, dt);
+            pushes.pushHolding(bodies, dt);
         }
     }
 
@@ -172,10 +170,10 @@ final class RestingContacts {
             return;
         }
         gather(bodies);
-        pushSettling(bodies);
+        pushes.pushSettling(bodies);
         double rounding = measureSpeeds(bodies);
         if (solver.solve(TOLERANCE * solver.size(), rounding, mostRounds(solver.size())) > 0) {
-            pushSettling(bodies);
+            pushes.pushSettling(bodies);
         }
         for (int k = 0; k < touching.size(); k++) {
             touching.setSettling(k, 0);
@@ -242,72 +240,6 @@ final class RestingContacts {
             if (closed && (touching.holding(k) > 0 || approach.isGentleNow(bodies, a, b, contact))) {
                 settled[solver.size()] = k;
                 solver.add(a, b, contact.nx, contact.ny, touching.settling(k));
-            }
-        }
-    }
-
-    /** Impulses in the middle of the tick: velocities change, and the path from its start on. */
-    private void pushHolding(Bodies bodies, double dt) {
-        bookOutside(bodies, dt);
-        solver.push();
-        double energy = 0;
-        for (int i = 0; i < bodies.count(); i++) {
-            double ux = solver.pushX(i);
-            double uy = solver.pushY(i);
-            if (ux != 0 || uy != 0) {
-                double along = ux * bodies.vx(i) + uy * bodies.vy(i);
-                double across = 0.5 * (ux * ux + uy * uy);
-                work += bodies.mass(i) * (along + across);
-                workThere += bodies.mass(i) * (Math.abs(along) + across);
-                // Of the velocity that the forces will have made by the end, and against them along the way.
-                energy += bodies.mass(i) * work(bodies, i, ux, uy, 0.5 * dt);
-                energy -= bodies.mass(i) * dt * (ux * bodies.ax(i) + uy * bodies.ay(i));
-                bookMassless(bodies, i, ux, uy);
-                bodies.push(i, ux, uy);
-                bodies.shift(i, ux * dt, uy * dt);
-            }
-        }
-        bodies.ledger().bookEnergy(energy);
-    }
-
-    /** Impulses at the end of the tick. */
-    private void pushSettling(Bodies bodies) {
-        bookOutside(bodies, 0);
-        solver.push();
-        double energy = 0;
-        for (int i = 0; i < bodies.count(); i++) {
-            double ux = solver.pushX(i);
-            double uy = solver.pushY(i);
-            if (ux != 0 || uy != 0) {
-                energy += bodies.mass(i) * work(bodies, i, ux, uy, 0);
-                bookMassless(bodies, i, ux, uy);
-                bodies.push(i, ux, uy);
-            }
-        }
-        bodies.ledger().bookEnergy(energy);
-    }
-
-    /** What bodies with mass have given to one without is lost to the world. */
-    private void bookMassless(Bodies bodies, int i, double ux, double uy) {
-        if (bodies.mass(i) == 0) {
-            double m = 1 / solver.inverseMass(i);
-            bodies.ledger().bookImpulse(-m * ux, -m * uy, bodies.x(i), bodies.y(i));
-        }
-    }
-
-    /** The work u · (v + u/2) per mass on the velocity that the forces will have made; thrust books its own when it comes. */
-    private static double work(Bodies bodies, int i, double ux, double uy, double untilEnd) {
-        double vx = bodies.vx(i) + untilEnd * bodies.ax(i);
-        double vy = bodies.vy(i) + untilEnd * bodies.ay(i);
-        return ux * (vx + 0.5 * ux) + uy * (vy + 0.5 * uy);
-    }
-
-    private void bookOutside(Bodies bodies, double ago) {
-        for (int s = 0; s < solver.size(); s++) {
-            int a = solver.first(s);
-            int b = solver.second(s);
-            if (b < 0 || bodies.isFixed(a) || bodies.isFixed(b)) {
-                Impacts.bookOutside(bodies, a, b, solver.unpushedX(s), solver.unpushedY(s), ago);
             }
         }
     }
