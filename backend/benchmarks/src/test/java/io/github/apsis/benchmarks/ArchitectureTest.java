@@ -39,6 +39,7 @@ class ArchitectureTest {
                     "io.github.apsis.benchmarks",
                     "io.github.apsis.benchmarks.accuracy..",
                     "io.github.apsis.benchmarks.contacts..",
+                    "io.github.apsis.benchmarks.discs..",
                     "io.github.apsis.benchmarks.reference..",
                     "io.github.apsis.benchmarks.report..")
             .should()

@@ -1,6 +1,10 @@
 package io.github.apsis.benchmarks.contacts;
 
-import io.github.apsis.benchmarks.contacts.DiscScenes.Target;
+import io.github.apsis.benchmarks.discs.Contender;
+import io.github.apsis.benchmarks.discs.DiscEngine;
+import io.github.apsis.benchmarks.discs.DiscScene;
+import io.github.apsis.benchmarks.discs.DiscScenes;
+import io.github.apsis.benchmarks.discs.DiscScenes.Target;
 import io.github.apsis.benchmarks.report.Cells;
 import io.github.apsis.benchmarks.report.Csv;
 

@@ -1,7 +1,10 @@
 package io.github.apsis.benchmarks.contacts;
 
 import io.github.apsis.benchmarks.contacts.ContactStudy.Length;
-import io.github.apsis.benchmarks.contacts.DiscScenes.Target;
+import io.github.apsis.benchmarks.discs.Contender;
+import io.github.apsis.benchmarks.discs.DiscScene;
+import io.github.apsis.benchmarks.discs.DiscScenes;
+import io.github.apsis.benchmarks.discs.DiscScenes.Target;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;

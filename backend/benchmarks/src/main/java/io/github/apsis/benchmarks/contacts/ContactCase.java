@@ -1,11 +1,13 @@
 package io.github.apsis.benchmarks.contacts;
 
 import io.github.apsis.benchmarks.ContactMode;
+import io.github.apsis.benchmarks.discs.DiscScene;
 import io.github.apsis.benchmarks.reference.Json;
 import io.github.apsis.engine.WorldSpec;
 import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.collision.Boundary.HalfPlane;
 import io.github.apsis.engine.force.UniformField;
+import io.github.apsis.engine.math.Aabb;
 import java.util.ArrayList;
 import java.util.List;
 import tools.jackson.databind.JsonNode;
@@ -294,5 +296,19 @@ record ContactCase(
                 : bodies.get(event.second()).mass();
         double reduced = m == 0 || other == 0 ? 0 : 1 / (1 / m + 1 / other);
         return 0.5 * (1 - e * e) * reduced * event.closingSpeed() * event.closingSpeed();
+    }
+
+    /** The same for engines that know nothing of cases; the walls must be along the axes. */
+    DiscScene scene(double dt) {
+        List<DiscScene.Disc> discs = bodies.stream()
+                .map(body ->
+                        new DiscScene.Disc(body.x(), body.y(), body.vx(), body.vy(), body.radius(), body.mass(), false))
+                .toList();
+        double reach = bodies.stream()
+                .mapToDouble(body -> Math.max(Math.abs(body.x()), Math.abs(body.y())) + body.radius())
+                .max()
+                .orElse(1);
+        Aabb around = new Aabb(-reach, -reach, reach, reach);
+        return new DiscScene(id, discs, walls, around, DiscScene.THICK, fieldX, fieldY, restitution, dt);
     }
 }

@@ -1,5 +1,6 @@
 package io.github.apsis.benchmarks.contacts;
 
+import io.github.apsis.benchmarks.discs.Contender;
 import io.github.apsis.benchmarks.report.Chart;
 import java.awt.Color;
 import java.io.IOException;

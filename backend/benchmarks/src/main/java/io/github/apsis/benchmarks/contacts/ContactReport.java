@@ -1,6 +1,7 @@
 package io.github.apsis.benchmarks.contacts;
 
 import io.github.apsis.benchmarks.ContactMode;
+import io.github.apsis.benchmarks.discs.Contender;
 import io.github.apsis.benchmarks.report.Cells;
 import io.github.apsis.benchmarks.report.Csv;
 import io.github.apsis.benchmarks.report.Machine;

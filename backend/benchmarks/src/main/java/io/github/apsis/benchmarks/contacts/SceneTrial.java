@@ -1,6 +1,10 @@
 package io.github.apsis.benchmarks.contacts;
 
 import io.github.apsis.benchmarks.CpuTime;
+import io.github.apsis.benchmarks.discs.Contender;
+import io.github.apsis.benchmarks.discs.DiscEngine;
+import io.github.apsis.benchmarks.discs.DiscOverlaps;
+import io.github.apsis.benchmarks.discs.DiscScene;
 import io.github.apsis.engine.math.CompensatedSum;
 import java.util.Arrays;
 
@@ -30,10 +34,10 @@ record SceneTrial(DiscScene scene, int steps, int timedFrom, int mostSeconds) {
             spent += nanos[done];
             done++;
             if (done % LOOK_EVERY == 0) {
-                deepest = Math.max(deepest, Overlaps.of(scene, engine).deepest());
+                deepest = Math.max(deepest, DiscOverlaps.of(scene, engine).deepest());
             }
         }
-        Overlaps end = Overlaps.of(scene, engine);
+        DiscOverlaps end = DiscOverlaps.of(scene, engine);
         long[] timed = Arrays.copyOfRange(nanos, done > timedFrom ? timedFrom : done / 2, done);
         Arrays.sort(timed);
         double kinetic = kinetic(engine);

@@ -1,6 +1,9 @@
 package io.github.apsis.benchmarks.contacts;
 
 import io.github.apsis.benchmarks.CpuTime;
+import io.github.apsis.benchmarks.discs.Contender;
+import io.github.apsis.benchmarks.discs.DiscEngine;
+import io.github.apsis.benchmarks.discs.DiscScene;
 import io.github.apsis.benchmarks.report.Cells;
 import io.github.apsis.benchmarks.report.Csv;
 import io.github.apsis.engine.body.BodyDef;
@@ -29,7 +32,7 @@ record TickRow(
      * @param sample which of them; its time must be a whole number of ticks
      */
     static TickRow of(ContactCase known, int sample, Contender contender, int ticksPerUnit) {
-        DiscScene scene = DiscScene.of(known, 1.0 / ticksPerUnit);
+        DiscScene scene = known.scene(1.0 / ticksPerUnit);
         MotionSample truth = known.samples().get(sample);
         int ticks = (int) Math.rint(truth.time() * ticksPerUnit);
         double micros = CpuTime.bestMicros(() -> ran(scene, contender, ticks)) / ticks;

@@ -3,7 +3,10 @@ package io.github.apsis.benchmarks.contacts;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.github.apsis.benchmarks.contacts.DiscScenes.Target;
+import io.github.apsis.benchmarks.discs.Contender;
+import io.github.apsis.benchmarks.discs.DiscScene;
+import io.github.apsis.benchmarks.discs.DiscScenes;
+import io.github.apsis.benchmarks.discs.DiscScenes.Target;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;

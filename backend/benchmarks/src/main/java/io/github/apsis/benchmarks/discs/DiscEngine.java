@@ -1,7 +1,7 @@
-package io.github.apsis.benchmarks.contacts;
+package io.github.apsis.benchmarks.discs;
 
 /** The least that an engine must offer to run a scene. Discs are numbered in the order of the scene. */
-interface DiscEngine {
+public interface DiscEngine {
     /** Advances by one tick of the scene. */
     void step();
 

@@ -1,4 +1,4 @@
-package io.github.apsis.benchmarks.contacts;
+package io.github.apsis.benchmarks.discs;
 
 import io.github.apsis.benchmarks.ContactMode;
 import io.github.apsis.engine.World;

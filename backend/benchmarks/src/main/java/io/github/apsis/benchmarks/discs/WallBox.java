@@ -1,4 +1,4 @@
-package io.github.apsis.benchmarks.contacts;
+package io.github.apsis.benchmarks.discs;
 
 import io.github.apsis.engine.collision.Boundary.HalfPlane;
 import io.github.apsis.engine.math.Aabb;

@@ -1,6 +1,7 @@
-package io.github.apsis.benchmarks.contacts;
+package io.github.apsis.benchmarks.discs;
 
-import io.github.apsis.benchmarks.contacts.DiscScene.Disc;
+import io.github.apsis.benchmarks.SceneRun;
+import io.github.apsis.benchmarks.discs.DiscScene.Disc;
 import io.github.apsis.engine.collision.Boundary.HalfPlane;
 import io.github.apsis.engine.math.Aabb;
 import java.util.ArrayList;
@@ -12,12 +13,12 @@ import java.util.List;
  * tick. Their numbers come from the congruential generator of Numerical Recipes, s ← 1664525 s + 1013904223 mod 2³², so that
  * any program can make the same.
  */
-final class DiscScenes {
-    static final double RADIUS = 2;
-    static final double DT = 1.0 / SampleTicks.ROOM;
-    static final double CRADLE_SPEED = 60;
-    static final double BULLET_SPEED = 5000;
-    static final double BULLET_RESTITUTION = 0.8;
+public final class DiscScenes {
+    public static final double RADIUS = 2;
+    public static final double DT = 1.0 / SceneRun.TICKS_PER_SECOND;
+    public static final double CRADLE_SPEED = 60;
+    public static final double BULLET_SPEED = 5000;
+    public static final double BULLET_RESTITUTION = 0.8;
 
     private static final double GAS_SPEED = 60;
     private static final double GAS_DENSITY = 0.2; // share of the area
@@ -34,7 +35,7 @@ final class DiscScenes {
     }
 
     /** Elastic discs at one speed in all directions, a fifth of the area. */
-    static DiscScene gas(int count) {
+    public static DiscScene gas(int count) {
         var scenes = new DiscScenes();
         double side = Math.sqrt(count * Math.PI * RADIUS * RADIUS / GAS_DENSITY);
         return DiscScene.boxed("gas", scenes.apart(count, side), new Aabb(0, 0, side, side), 0, 1, DT);
@@ -83,7 +84,7 @@ final class DiscScenes {
     }
 
     /** Discs that fall from a loose square into a box as wide. */
-    static DiscScene pile(int count) {
+    public static DiscScene pile(int count) {
         var scenes = new DiscScenes();
         int columns = (int) Math.ceil(Math.sqrt(count));
         double side = columns * PILE_SPACING;
@@ -97,7 +98,7 @@ final class DiscScenes {
     }
 
     /** Ten touching discs in turn of mass 1 and 10⁶, pressed against a wall. */
-    static DiscScene chain() {
+    public static DiscScene chain() {
         List<Disc> discs = new ArrayList<>();
         for (int i = 0; i < 10; i++) {
             discs.add(new Disc(-RADIUS - 2 * RADIUS * i, 0, 0, 0, RADIUS, i % 2 == 0 ? 1 : 1e6, false));
@@ -107,7 +108,7 @@ final class DiscScenes {
     }
 
     /** A row of equal discs that another hits, elastic. */
-    static DiscScene cradle(int count, double gap) {
+    public static DiscScene cradle(int count, double gap) {
         List<Disc> discs = new ArrayList<>();
         discs.add(new Disc(-3 * RADIUS, 0, CRADLE_SPEED, 0, RADIUS, 1, false));
         for (int i = 1; i < count; i++) {
@@ -117,7 +118,7 @@ final class DiscScenes {
     }
 
     /** What a bullet is shot at. */
-    enum Target {
+    public enum Target {
         /** Half a length thick. */
         WALL,
         FIXED_DISC,
@@ -126,7 +127,7 @@ final class DiscScenes {
     }
 
     /** A bullet that moves 33 lengths in a tick, from so far along the first of them. */
-    static DiscScene bullet(Target target, double phase) {
+    public static DiscScene bullet(Target target, double phase) {
         List<Disc> discs = new ArrayList<>();
         discs.add(new Disc(phase * BULLET_SPEED * DT, 0, BULLET_SPEED, 0, 1, 1, false));
         String name =

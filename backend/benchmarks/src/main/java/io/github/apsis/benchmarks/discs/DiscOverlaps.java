@@ -1,4 +1,4 @@
-package io.github.apsis.benchmarks.contacts;
+package io.github.apsis.benchmarks.discs;
 
 import io.github.apsis.engine.collision.Boundary.HalfPlane;
 import java.util.ArrayList;
@@ -11,8 +11,8 @@ import java.util.List;
  * @param deepest of all
  * @param mean of those that overlap; 0 where none does
  */
-record Overlaps(double deepest, double mean) {
-    static Overlaps of(DiscScene scene, DiscEngine engine) {
+public record DiscOverlaps(double deepest, double mean) {
+    public static DiscOverlaps of(DiscScene scene, DiscEngine engine) {
         List<Integer> order = new ArrayList<>();
         for (int i = 0; i < scene.discs().size(); i++) {
             order.add(i);
@@ -35,7 +35,7 @@ record Overlaps(double deepest, double mean) {
                         / Math.min(radius, scene.discs().get(j).radius()));
             }
         }
-        return new Overlaps(found.deepest, found.count == 0 ? 0 : found.sum / found.count);
+        return new DiscOverlaps(found.deepest, found.count == 0 ? 0 : found.sum / found.count);
     }
 
     private static final class Sum {

@@ -1,4 +1,4 @@
-package io.github.apsis.benchmarks.contacts;
+package io.github.apsis.benchmarks.discs;
 
 import io.github.apsis.benchmarks.ContactMode;
 import java.util.ArrayList;
@@ -7,7 +7,7 @@ import java.util.function.Function;
 import org.dyn4j.dynamics.ContinuousDetectionMode;
 
 /** An engine in one of its settings, as a way to run a scene. */
-enum Contender {
+public enum Contender {
     APSIS_TICK("Apsis, tick", scene -> new ApsisDiscs(scene, ContactMode.TICK)),
     APSIS_EXACT("Apsis, exact", scene -> new ApsisDiscs(scene, ContactMode.EXACT)),
     DYN4J("dyn4j 6.0.0", scene -> new Dyn4jDiscs(scene, ContinuousDetectionMode.ALL, Dyn4jDiscs.Speeds.CLAMPED)),
@@ -22,10 +22,10 @@ enum Contender {
             scene -> new Dyn4jDiscs(scene, ContinuousDetectionMode.ALL, Dyn4jDiscs.Speeds.ANY)),
     JBOX2D("JBox2D 2.2.1.1", JBox2dDiscs::new);
 
-    static final List<Contender> CROWDS = besideUs(DYN4J, DYN4J_DISCRETE, JBOX2D);
-    static final List<Contender> PILES = besideUs(DYN4J_BULLETS_ONLY, JBOX2D);
-    static final List<Contender> FEW = besideUs(DYN4J, JBOX2D);
-    static final List<Contender> BULLETS = besideUs(DYN4J, DYN4J_ANY_SPEED, JBOX2D);
+    public static final List<Contender> CROWDS = besideUs(DYN4J, DYN4J_DISCRETE, JBOX2D);
+    public static final List<Contender> PILES = besideUs(DYN4J_BULLETS_ONLY, JBOX2D);
+    public static final List<Contender> FEW = besideUs(DYN4J, JBOX2D);
+    public static final List<Contender> BULLETS = besideUs(DYN4J, DYN4J_ANY_SPEED, JBOX2D);
 
     private final String label;
     private final Function<DiscScene, DiscEngine> engine;
@@ -41,15 +41,15 @@ enum Contender {
         return all;
     }
 
-    String label() {
+    public String label() {
         return label;
     }
 
-    boolean isOurs() {
+    public boolean isOurs() {
         return this == APSIS_TICK || this == APSIS_EXACT;
     }
 
-    DiscEngine run(DiscScene scene) {
+    public DiscEngine run(DiscScene scene) {
         return engine.apply(scene);
     }
 }

@@ -1,0 +1,41 @@
+package io.github.apsis.benchmarks.discs;
+
+import io.github.apsis.engine.collision.Boundary.HalfPlane;
+import io.github.apsis.engine.math.Aabb;
+import java.util.List;
+
+/**
+ * Discs without friction, as every engine can be told of them.
+ *
+ * @param walls along the axes
+ * @param around where the scene is; an engine without half-planes makes its walls that long
+ * @param wallThickness of engines whose walls are boxes, length
+ * @param restitution of discs and walls alike
+ */
+public record DiscScene(
+        String name,
+        List<Disc> discs,
+        List<HalfPlane> walls,
+        Aabb around,
+        double wallThickness,
+        double fieldX,
+        double fieldY,
+        double restitution,
+        double dt) {
+    /** Of walls that are boxes, length: more than anything moves in a tick. */
+    public static final double THICK = 20;
+
+    /** One disc; a fixed one has no velocity. */
+    public record Disc(double x, double y, double vx, double vy, double radius, double mass, boolean isFixed) {}
+
+    /** A scene in a closed box. */
+    public static DiscScene boxed(
+            String name, List<Disc> discs, Aabb box, double fieldY, double restitution, double dt) {
+        List<HalfPlane> walls = List.of(
+                new HalfPlane(1, 0, box.minX()),
+                new HalfPlane(-1, 0, -box.maxX()),
+                new HalfPlane(0, 1, box.minY()),
+                new HalfPlane(0, -1, -box.maxY()));
+        return new DiscScene(name, discs, walls, box, THICK, 0, fieldY, restitution, dt);
+    }
+}
