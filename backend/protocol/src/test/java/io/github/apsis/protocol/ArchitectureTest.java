@@ -14,17 +14,32 @@ class ArchitectureTest {
             .withImportOption(new DoNotIncludeTests())
             .importPackages("io.github.apsis.protocol");
 
+    private static final String MESSAGES = "io.github.apsis.protocol";
+    private static final String CODEC = "io.github.apsis.protocol.json";
+
     @Test
     void the_messages_know_the_jdk_alone() {
-        rule("io.github.apsis.protocol", "java..", "org.jspecify.annotations").check(OURS);
+        rule(MESSAGES, MESSAGES, "java..", "org.jspecify.annotations").check(OURS);
     }
 
     @Test
-    void the_rule_notices_a_stranger() {
-        assertThatThrownBy(() -> rule("io.github.apsis.protocol").check(OURS)).isInstanceOf(AssertionError.class);
+    void the_codec_knows_the_messages_and_a_writer_of_json() {
+        rule(CODEC, CODEC, MESSAGES, "java..", "tools.jackson.core..", "org.jspecify.annotations")
+                .check(OURS);
     }
 
-    private static ArchRule rule(String... allowed) {
-        return classes().should().onlyDependOnClassesThat().resideInAnyPackage(allowed);
+    @Test
+    void the_rules_notice_a_stranger() {
+        assertThatThrownBy(() -> rule(MESSAGES, MESSAGES).check(OURS)).isInstanceOf(AssertionError.class);
+        assertThatThrownBy(() -> rule(CODEC, CODEC, "java..").check(OURS)).isInstanceOf(AssertionError.class);
+    }
+
+    private static ArchRule rule(String of, String... allowed) {
+        return classes()
+                .that()
+                .resideInAPackage(of)
+                .should()
+                .onlyDependOnClassesThat()
+                .resideInAnyPackage(allowed);
     }
 }

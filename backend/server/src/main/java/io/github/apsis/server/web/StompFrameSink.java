@@ -1,6 +1,7 @@
 package io.github.apsis.server.web;
 
 import io.github.apsis.protocol.Frame;
+import io.github.apsis.protocol.json.FrameEncoder;
 import io.github.apsis.server.room.FrameSink;
 import io.github.apsis.server.room.RoomFrame;
 import io.github.apsis.server.room.RoomReadings;

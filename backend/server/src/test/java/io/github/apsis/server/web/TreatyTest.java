@@ -9,6 +9,7 @@ import io.github.apsis.protocol.Frame;
 import io.github.apsis.protocol.Problem;
 import io.github.apsis.protocol.Reply;
 import io.github.apsis.protocol.RoomInfo;
+import io.github.apsis.protocol.json.FrameEncoder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -1,4 +1,4 @@
-package io.github.apsis.server.web;
+package io.github.apsis.protocol.json;
 
 import io.github.apsis.protocol.BodyState;
 import io.github.apsis.protocol.Frame;
@@ -17,7 +17,7 @@ import tools.jackson.core.json.JsonFactory;
  * never change, so their text is kept. Pure ASCII, so its length in characters is its length in bytes. Belongs to one
  * thread.
  */
-final class FrameEncoder {
+public final class FrameEncoder {
     // Doubles in their shortest form that reads back to the same bits, on JDK 17 too.
     private static final JsonFactory JSON = JsonFactory.builder()
             .enable(StreamWriteFeature.USE_FAST_DOUBLE_WRITER)
@@ -29,7 +29,8 @@ final class FrameEncoder {
     /** The text of these very vertices. */
     private record Shape(List<Point> vertices, String json) {}
 
-    String encode(Frame frame) {
+    /** The array, without line breaks. */
+    public String encode(Frame frame) {
         text.getBuffer().setLength(0);
         try (JsonGenerator json = JSON.createGenerator(ObjectWriteContext.empty(), text)) {
             json.writeStartArray();
