@@ -28,6 +28,8 @@ class ArchitectureTest {
                     "org.knowm.xchart..",
                     "org.dyn4j..",
                     "org.jbox2d..",
+                    "org.locationtech.jts..",
+                    "org.openjdk.jmh..",
                     "org.jspecify.annotations..",
                     "com.sun.management..",
                     "javax.imageio..",
@@ -40,8 +42,10 @@ class ArchitectureTest {
                     "io.github.apsis.benchmarks.accuracy..",
                     "io.github.apsis.benchmarks.contacts..",
                     "io.github.apsis.benchmarks.discs..",
+                    "io.github.apsis.benchmarks.kernels..",
                     "io.github.apsis.benchmarks.reference..",
-                    "io.github.apsis.benchmarks.report..")
+                    "io.github.apsis.benchmarks.report..",
+                    "io.github.apsis.benchmarks.speed..")
             .should()
             .dependOnClassesThat(resideInAnyPackage("io.github.apsis.benchmarks.cli..", "picocli.."));
 

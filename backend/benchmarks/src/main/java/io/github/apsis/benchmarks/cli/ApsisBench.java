@@ -12,7 +12,13 @@ import picocli.CommandLine.IVersionProvider;
         mixinStandardHelpOptions = true,
         versionProvider = ApsisBench.Version.class,
         synopsisSubcommandLabel = "COMMAND",
-        subcommands = {RunCommand.class, ListCommand.class, AccuracyCommand.class, ContactsCommand.class})
+        subcommands = {
+            RunCommand.class,
+            ListCommand.class,
+            AccuracyCommand.class,
+            ContactsCommand.class,
+            SpeedCommand.class
+        })
 public final class ApsisBench {
     public static void main(String[] args) {
         System.exit(commandLine().execute(args));

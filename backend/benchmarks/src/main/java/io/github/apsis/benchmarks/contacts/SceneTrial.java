@@ -5,7 +5,6 @@ import io.github.apsis.benchmarks.discs.Contender;
 import io.github.apsis.benchmarks.discs.DiscEngine;
 import io.github.apsis.benchmarks.discs.DiscOverlaps;
 import io.github.apsis.benchmarks.discs.DiscScene;
-import io.github.apsis.engine.math.CompensatedSum;
 import java.util.Arrays;
 
 /**
@@ -22,7 +21,7 @@ record SceneTrial(DiscScene scene, int steps, int timedFrom, int mostSeconds) {
 
     SceneRow run(Contender contender) {
         DiscEngine engine = contender.run(scene);
-        double start = kinetic(engine);
+        double start = scene.kineticEnergy(engine);
         double deepest = 0;
         long[] nanos = new long[steps];
         long spent = 0;
@@ -40,7 +39,7 @@ record SceneTrial(DiscScene scene, int steps, int timedFrom, int mostSeconds) {
         DiscOverlaps end = DiscOverlaps.of(scene, engine);
         long[] timed = Arrays.copyOfRange(nanos, done > timedFrom ? timedFrom : done / 2, done);
         Arrays.sort(timed);
-        double kinetic = kinetic(engine);
+        double kinetic = scene.kineticEnergy(engine);
         return new SceneRow(
                 scene.name(),
                 scene.discs().size(),
@@ -54,15 +53,6 @@ record SceneTrial(DiscScene scene, int steps, int timedFrom, int mostSeconds) {
                 end.mean(),
                 Math.sqrt(2 * kinetic / mass()),
                 done < steps ? "stopped after " + mostSeconds + " s" : "");
-    }
-
-    private double kinetic(DiscEngine engine) {
-        var sum = new CompensatedSum();
-        for (int i = 0; i < scene.discs().size(); i++) {
-            double v2 = engine.vx(i) * engine.vx(i) + engine.vy(i) * engine.vy(i);
-            sum.add(0.5 * scene.discs().get(i).mass() * v2);
-        }
-        return sum.value();
     }
 
     private double mass() {

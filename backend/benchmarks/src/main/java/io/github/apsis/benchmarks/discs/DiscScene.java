@@ -2,6 +2,7 @@ package io.github.apsis.benchmarks.discs;
 
 import io.github.apsis.engine.collision.Boundary.HalfPlane;
 import io.github.apsis.engine.math.Aabb;
+import io.github.apsis.engine.math.CompensatedSum;
 import java.util.List;
 
 /**
@@ -27,6 +28,16 @@ public record DiscScene(
 
     /** One disc; a fixed one has no velocity. */
     public record Disc(double x, double y, double vx, double vy, double radius, double mass, boolean isFixed) {}
+
+    /** Of all discs, as they move now. */
+    public double kineticEnergy(DiscEngine engine) {
+        var sum = new CompensatedSum();
+        for (int i = 0; i < discs.size(); i++) {
+            double v2 = engine.vx(i) * engine.vx(i) + engine.vy(i) * engine.vy(i);
+            sum.add(0.5 * discs.get(i).mass() * v2);
+        }
+        return sum.value();
+    }
 
     /** A scene in a closed box. */
     public static DiscScene boxed(

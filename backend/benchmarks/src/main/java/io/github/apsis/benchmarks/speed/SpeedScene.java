@@ -1,0 +1,13 @@
+package io.github.apsis.benchmarks.speed;
+
+/** A scene that is run in several sizes. */
+interface SpeedScene {
+    /** As {@code --scene} and the table have it. */
+    String name();
+
+    /** One sentence for the page: what the scene is and what its errors measure. */
+    String description();
+
+    /** Runs it in all sizes and engines. */
+    void run(Bench bench);
+}

@@ -1,0 +1,59 @@
+package io.github.apsis.benchmarks.speed;
+
+import com.sun.management.ThreadMXBean;
+import io.github.apsis.benchmarks.TickTimes;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Measures steps in batches: CPU time and allocated bytes of the thread for each batch as a whole, the clock for each step. CPU
+ * time does not count what others do on the machine meanwhile; of the batches the median counts, so that an interrupt
+ * or a late compilation spoils one of them and not the figure.
+ */
+final class StepMeter {
+    private static final ThreadMXBean THREAD = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    private final int threads;
+    private final TickTimes clock = new TickTimes();
+    private final List<Double> nanosPerStep = new ArrayList<>();
+    private long steps;
+    private long bytes;
+    private long cpuNanos;
+
+    /** With one thread the CPU time of this thread is the cost; with more it is what the clock says. */
+    StepMeter(int threads) {
+        this.threads = threads;
+    }
+
+    void batch(Runnable step, int count) {
+        long clockBefore = clock.totalNanos();
+        long bytesBefore = THREAD.getCurrentThreadAllocatedBytes();
+        long cpuBefore = THREAD.getCurrentThreadCpuTime();
+        for (int i = 0; i < count; i++) {
+            long before = System.nanoTime();
+            step.run();
+            clock.record(System.nanoTime() - before);
+        }
+        long cpu = THREAD.getCurrentThreadCpuTime() - cpuBefore;
+        bytes += THREAD.getCurrentThreadAllocatedBytes() - bytesBefore;
+        cpuNanos += cpu;
+        steps += count;
+        nanosPerStep.add((double) (threads == 1 ? cpu : clock.totalNanos() - clockBefore) / count);
+    }
+
+    /** CPU time so far, ns. */
+    long cpuNanos() {
+        return cpuNanos;
+    }
+
+    /** Of all batches. */
+    StepCost cost() {
+        double median = nanosPerStep.stream()
+                .sorted()
+                .skip(nanosPerStep.size() / 2)
+                .findFirst()
+                .orElse(Double.NaN);
+        return new StepCost(median * 1e-6, clock.percentileNanos(0.99) * 1e-6, (double) bytes / steps);
+    }
+}
