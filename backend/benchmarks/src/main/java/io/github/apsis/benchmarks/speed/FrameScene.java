@@ -23,7 +23,7 @@ final class FrameScene implements SpeedScene {
 
     @Override
     public void run(Bench bench) {
-        int[] brief = {10, 100, 250, 1000, 10_000};
+        int[] brief = {10, 100, 250, 1000, 2000};
         for (int n : bench.choose(new int[] {10, 50}, brief, brief)) {
             List<Frame> frames = RoomFrames.of(n, FRAMES);
             bench.measure(name(), "apsis", n, bench.choose(50, 500, 2000), () -> new Encoding(frames));

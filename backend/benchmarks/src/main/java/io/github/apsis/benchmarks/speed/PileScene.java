@@ -29,9 +29,14 @@ final class PileScene implements SpeedScene {
             Trial settled = new Trial(n <= 100 ? 500 : 0, 1200, 300, 20, 240);
             Trial trial = bench.choose(new Trial(0, 60, 60, 20, 5), settled, settled);
             Contender.BY_TICKS.stream()
-                    .filter(engine -> engine.isOurs() || n <= MOST_OF_OTHERS || bench.length() == Length.FULL)
+                    .filter(engine -> engine.isOurs() || bench.length() == Length.FULL || isBriefEnough(engine, n))
                     .forEach(engine ->
                             bench.measure(name(), engine.id(), n, trial, () -> new DiscCourse(scene, engine)));
         }
+    }
+
+    /** One of the two cheaper modes of dyn4j will do. */
+    private static boolean isBriefEnough(Contender engine, int n) {
+        return n <= MOST_OF_OTHERS && (n < MOST_OF_OTHERS || engine != Contender.DYN4J_BULLETS_ONLY);
     }
 }
