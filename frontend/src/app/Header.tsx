@@ -24,11 +24,26 @@ export function Header({ world, link, onHelp }: HeaderProps) {
           </>
         )}
       </span>
+      <SlowClock speed={world.frames.newest.speed} />
       <LinkState link={link} />
       <Button className={styles.help} aria-label="Keyboard shortcuts" title="Keyboard shortcuts (?)" onClick={onHelp}>
         ?
       </Button>
     </header>
+  );
+}
+
+/** Whether the room's clock keeps up with real time; its physics is the same at any speed. */
+export function SlowClock({ speed }: { speed: number }) {
+  if (speed >= 1) return null;
+  const percent = Math.round(100 * speed);
+  return (
+    <span
+      className={styles.slow}
+      title={`This room is too heavy for its server: its clock runs at ${percent} % of real time. Every tick is as exact as ever.`}
+    >
+      {percent} % speed
+    </span>
   );
 }
 

@@ -35,7 +35,7 @@ async function accept(): Promise<void> {
 }
 
 function shows(tick: number, ...bodies: BodyState[]): void {
-  server().message('/topic/bodies', bodies, { tick, time: tick / 150, sent: 0 });
+  server().message('/topic/bodies', bodies, { tick, time: tick / 150, sent: 0, speed: 1 });
   vi.advanceTimersByTime(20);
 }
 

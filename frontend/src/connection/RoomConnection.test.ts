@@ -39,7 +39,7 @@ async function connect(): Promise<void> {
   await passes(1);
 }
 
-const frameHeaders = { tick: 5, time: 0.5, sent: 1000 };
+const frameHeaders = { tick: 5, time: 0.5, sent: 1000, speed: 1 };
 
 describe('a room that answers', () => {
   it('is_live_and_subscribed_to_everything', async () => {

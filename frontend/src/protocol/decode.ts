@@ -30,6 +30,7 @@ export function decodeDiagnostics(text: string): Diagnostics {
     tickMillis: { p50: readNumber(tickMillis, 'p50'), p99: readNumber(tickMillis, 'p99') },
     lateTicks: readNumber(from, 'lateTicks'),
     droppedTicks: readNumber(from, 'droppedTicks'),
+    speed: readNumber(from, 'speed'),
     bodies: readNumber(from, 'bodies'),
     clients: readNumber(from, 'clients'),
     kinetic: readNullable(from, 'kinetic', readNumber),

@@ -15,6 +15,7 @@ export function decodeFrame(text: string, headers: FrameHeaders): Frame {
     tick: numberHeader(headers, 'tick'),
     time: numberHeader(headers, 'time'),
     sent: numberHeader(headers, 'sent'),
+    speed: numberHeader(headers, 'speed'),
     bodies: bodies as readonly BodyState[],
   };
 }

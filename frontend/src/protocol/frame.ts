@@ -45,5 +45,7 @@ export type Frame = {
   readonly time: number;
   /** Server clock when it was sent, milliseconds since 1970. */
   readonly sent: number;
+  /** Of the room's clock, as a share of real time: 1, or less where the room is too heavy for its server. */
+  readonly speed: number;
   readonly bodies: readonly BodyState[];
 };

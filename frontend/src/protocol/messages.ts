@@ -33,6 +33,8 @@ export type Diagnostics = {
   readonly tickMillis: { readonly p50: number; readonly p99: number };
   readonly lateTicks: number;
   readonly droppedTicks: number;
+  /** Of the room's clock, as a share of real time. */
+  readonly speed: number;
   readonly bodies: number;
   readonly clients: number;
   /** From here to the virial ratio: null where the scene does not ask for it, or where it has no meaning. */

@@ -9,7 +9,7 @@ import type { BodyId } from './frame';
 const folder = join(import.meta.dirname, '../../../docs/protocol/messages');
 const golden = (name: string) => readFileSync(join(folder, name), 'utf8');
 const parsed = (name: string): unknown => JSON.parse(golden(name));
-const headers = { tick: '19260', time: '128.4', sent: '1790000000000' };
+const headers = { tick: '19260', time: '128.4', sent: '1790000000000', speed: '1.0' };
 const id = 17 as BodyId;
 
 /** Every golden message and what proves that we speak it. A new message without an entry fails the last test. */
@@ -17,7 +17,7 @@ const proofs: Record<string, () => void> = {
   'bodies.json': () => {
     const frame = decodeFrame(golden('bodies.json'), headers);
     expect(frame.bodies).toEqual(parsed('bodies.json'));
-    expect(frame).toMatchObject({ tick: 19260, time: 128.4, sent: 1790000000000 });
+    expect(frame).toMatchObject({ tick: 19260, time: 128.4, sent: 1790000000000, speed: 1 });
   },
   'diagnostics.json': () => expect(decodeDiagnostics(golden('diagnostics.json'))).toEqual(parsed('diagnostics.json')),
   'room.json': () => expect(decodeRoom(golden('room.json'))).toEqual(parsed('room.json')),

@@ -13,6 +13,8 @@ export class FrameColumns {
   count = 0;
   tick = 0;
   time = 0;
+  /** Of the room's clock, as a share of real time. */
+  speed = 1;
   largestRadius = 0;
   id = new Float64Array(0);
   kind = new Uint8Array(0);
@@ -54,6 +56,7 @@ export class FrameColumns {
     this.count = bodies.length;
     this.tick = frame.tick;
     this.time = frame.time;
+    this.speed = frame.speed;
     this.largestRadius = 0;
     this.slot.clear();
     for (let i = 0; i < bodies.length; i++) {

@@ -25,7 +25,7 @@ export function asteroid(id: number, x = 0, y = 0, more: Partial<Asteroid> = {})
 
 /** Ticks are 1/150 of a time unit; a frame comes every fifth. */
 export function frame(tick: number, ...bodies: BodyState[]): Frame {
-  return { tick, time: tick / 150, sent: tick * 6.6667, bodies };
+  return { tick, time: tick / 150, sent: tick * 6.6667, speed: 1, bodies };
 }
 
 export const FRAME_MS = 1000 / 30;

@@ -14,6 +14,7 @@ const measured = {
   tickMillis: { p50: 0.25, p99: 0.75 },
   lateTicks: 2,
   droppedTicks: 0,
+  speed: 0.62,
   bodies: 248,
   clients: 3,
   kinetic: 240_000,
@@ -101,6 +102,7 @@ it('the_table_has_every_figure_once', () => {
   expect(figure('Gravity')).toHaveTextContent('direct');
   expect(figure('Force error')).toHaveTextContent('none');
   expect(figure('Late, dropped')).toHaveTextContent('2, 0');
+  expect(figure('Clock')).toHaveTextContent('62 % of real time');
   expect(figure('Stream')).toHaveTextContent('412 kB/s');
   expect(figure('Clients')).toHaveTextContent('3');
 });

@@ -46,6 +46,7 @@ export function figureGroups(newest: Diagnostics | null, link: LinkFigures | nul
       figures: [
         ['Tick', of(({ tickMillis: { p50, p99 } }) => `${formatMillis(p50)} ms, rarely ${formatMillis(p99)}`)],
         ['Ticks/s', of((from) => formatCount(from.ticksPerSecond))],
+        ['Clock', of(({ speed }) => `${Math.round(100 * speed)} % of real time`)],
         ['Late, dropped', of((from) => `${formatCount(from.lateTicks)}, ${formatCount(from.droppedTicks)}`)],
         ['Delay', link ? `${formatCount(link.delayMs)} ms` : NONE],
         ['Stream', link ? `${formatCount(link.bytesPerSecond / 1000)} kB/s` : NONE],

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
  * @param ticksPerSecond over the last second
  * @param lateTicks began more than half a period late, since the room opened
  * @param droppedTicks given up, since the room opened
+ * @param speed of the room's clock, as a share of real time: 1, or less where the room is too heavy
  * @param kinetic energy
  * @param potential energy
  * @param energyDrift relative change since the bodies were last changed
@@ -25,6 +26,7 @@ public record Diagnostics(
         TickMillis tickMillis,
         long lateTicks,
         long droppedTicks,
+        double speed,
         int bodies,
         int clients,
         @Nullable Double kinetic,

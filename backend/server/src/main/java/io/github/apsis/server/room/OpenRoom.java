@@ -1,7 +1,6 @@
 package io.github.apsis.server.room;
 
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
@@ -19,7 +18,7 @@ public final class OpenRoom {
 
     private final RoomSpec spec;
     private final FrameSink sink;
-    private final ScheduledExecutorService thread;
+    private final TickThread thread;
     private final LongSupplier nanoTime;
     private final Runnable onFailure;
     private volatile Life life;
@@ -28,8 +27,7 @@ public final class OpenRoom {
     /** One world from its first tick to its end. */
     private record Life(Room room, TickMeter meter, TickLoop loop) {}
 
-    OpenRoom(
-            RoomSpec spec, FrameSink sink, ScheduledExecutorService thread, LongSupplier nanoTime, Runnable onFailure) {
+    OpenRoom(RoomSpec spec, FrameSink sink, TickThread thread, LongSupplier nanoTime, Runnable onFailure) {
         this.spec = spec;
         this.sink = sink;
         this.thread = thread;
@@ -58,6 +56,11 @@ public final class OpenRoom {
         return life.meter.latest();
     }
 
+    /** The share of a thread that 150 ticks a second take. */
+    public double load() {
+        return thread.load(spec.id());
+    }
+
     /** Nanoseconds since the last tick began. */
     public long nanosSinceLastTick() {
         return nanoTime.getAsLong() - life.meter.lastBegin();
@@ -76,12 +79,18 @@ public final class OpenRoom {
         closed = true;
         life.loop.stop();
         life.room.close();
+        thread.forget(spec.id());
     }
 
     private Life begin() {
-        TickMeter meter = new TickMeter(nanoTime.getAsLong());
-        Room room = new Room(spec, sink, meter::measure);
-        return new Life(room, meter, new TickLoop(thread, nanoTime, meter, room::tick, e -> replace(room, e)));
+        long now = nanoTime.getAsLong();
+        TickMeter meter = new TickMeter(now);
+        ClockSpeed speed = new ClockSpeed(thread, spec.id(), now);
+        Room room = new Room(spec, sink, meter::measure, speed::share);
+        return new Life(
+                room,
+                meter,
+                new TickLoop(thread.executor(), nanoTime, meter, speed, room::tick, e -> replace(room, e)));
     }
 
     private void replace(Room failed, Throwable reason) {
@@ -89,7 +98,7 @@ public final class OpenRoom {
         onFailure.run();
         failed.close();
         try {
-            thread.schedule(this::beginAgain, REOPEN_AFTER_NANOS, TimeUnit.NANOSECONDS);
+            thread.executor().schedule(this::beginAgain, REOPEN_AFTER_NANOS, TimeUnit.NANOSECONDS);
         } catch (RejectedExecutionException e) {
             log.debug("room {} stays closed: the server is going down", spec.id());
         }

@@ -22,6 +22,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
 import lombok.extern.slf4j.Slf4j;
 import org.jspecify.annotations.Nullable;
@@ -49,6 +50,7 @@ public final class Room {
     private final RandomBodies randomBodies;
     private final FrameSink sink;
     private final Supplier<Pace> pace;
+    private final DoubleSupplier speed;
     private final Selections selections = new Selections();
     private final Appearances appearances = new Appearances();
     private final ConservationMeter conservation = new ConservationMeter();
@@ -58,11 +60,15 @@ public final class Room {
     private volatile int bodies;
     private volatile boolean closed;
 
-    /** Opens the room: builds the world of its scene. {@code pace} is asked on the tick thread. */
-    Room(RoomSpec spec, FrameSink sink, Supplier<Pace> pace) {
+    /**
+     * Opens the room: builds the world of its scene. {@code pace}, which costs something, and {@code speed}, the share of real
+     * time at which the clock runs, are asked on the tick thread.
+     */
+    Room(RoomSpec spec, FrameSink sink, Supplier<Pace> pace, DoubleSupplier speed) {
         this.spec = spec;
         this.sink = sink;
         this.pace = pace;
+        this.speed = speed;
         this.laws = spec.scene().spec(spec.seed());
         this.world = new World(laws);
         this.randomBodies = new RandomBodies(spec.scene().palette(), laws, spec.seed());
@@ -95,10 +101,11 @@ public final class Room {
         now = null;
         forgetDeparted();
         bodies = world.count();
-        if (isDue(spec.framesPerSecond())) {
-            sink.publish(new RoomFrame(snapshot(), appearances.copy(), selections.ofAnyone()));
+        double share = speed.getAsDouble();
+        if (isDue(spec.framesPerSecond(), share)) {
+            sink.publish(new RoomFrame(snapshot(), appearances.copy(), selections.ofAnyone(), share));
         }
-        if (isDue(READINGS_PER_SECOND)) {
+        if (isDue(READINGS_PER_SECOND, share)) {
             sink.publish(readings());
         }
     }
@@ -152,9 +159,13 @@ public final class Room {
         conservation.reset();
     }
 
-    /** Whether the n-th part of a second has just begun. */
-    private boolean isDue(int timesPerSecond) {
+    /** Whether the n-th part of a second has just begun: of real time, so that a slow clock does not make frames rare. */
+    private boolean isDue(int timesPerSecond, double speed) {
         long tick = world.tick();
+        if (speed < 1) {
+            double perTick = Math.min(1, timesPerSecond / (speed * TickLoop.TICKS_PER_SECOND));
+            return Math.floor(tick * perTick) != Math.floor((tick - 1) * perTick);
+        }
         return tick * timesPerSecond / TickLoop.TICKS_PER_SECOND
                 != (tick - 1) * timesPerSecond / TickLoop.TICKS_PER_SECOND;
     }

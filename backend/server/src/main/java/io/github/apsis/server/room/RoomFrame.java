@@ -10,5 +10,6 @@ import java.util.Set;
  *
  * @param appearances of the bodies that look like more than their circle
  * @param selected the bodies that anyone has selected
+ * @param speed of the room's clock, as a share of real time
  */
-public record RoomFrame(WorldSnapshot world, Map<BodyId, Appearance> appearances, Set<BodyId> selected) {}
+public record RoomFrame(WorldSnapshot world, Map<BodyId, Appearance> appearances, Set<BodyId> selected, double speed) {}

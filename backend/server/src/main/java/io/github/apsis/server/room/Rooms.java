@@ -1,36 +1,47 @@
 package io.github.apsis.server.room;
 
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import java.util.stream.IntStream;
 
 /**
- * All rooms of this server, by id. A room stays on one thread for its life, a thread may carry many rooms. May be used
- * from any thread.
+ * All rooms of this server, by id. A room stays on one thread for its life, a thread may carry many rooms. A room that would
+ * need more than is left of the least busy thread is refused. May be used from any thread.
  */
 public final class Rooms implements AutoCloseable {
     private final LongSupplier nanoTime;
     private final Map<String, OpenRoom> open = new ConcurrentHashMap<>();
-    private final List<ScheduledExecutorService> threads;
-    private final AtomicInteger nextThread = new AtomicInteger();
+    private final List<TickThread> threads;
+    private final double mostLoad;
     private final AtomicLong failures = new AtomicLong();
 
-    public Rooms() {
-        this(Runtime.getRuntime().availableProcessors(), System::nanoTime);
+    /**
+     * A thread for each processor.
+     *
+     * @param mostLoad the share of a thread that the rooms on it may be expected to need when one is opened
+     */
+    public Rooms(double mostLoad) {
+        this(
+                mostLoad,
+                IntStream.range(0, Runtime.getRuntime().availableProcessors())
+                        .mapToObj(Rooms::tickThread)
+                        .toList(),
+                System::nanoTime);
     }
 
-    Rooms(int threadCount, LongSupplier nanoTime) {
+    Rooms(double mostLoad, List<? extends ScheduledExecutorService> executors, LongSupplier nanoTime) {
+        this.mostLoad = mostLoad;
         this.nanoTime = nanoTime;
-        this.threads =
-                IntStream.range(0, threadCount).mapToObj(Rooms::tickThread).toList();
+        this.threads = executors.stream().map(TickThread::new).toList();
     }
 
     private static ScheduledExecutorService tickThread(int number) {
@@ -41,14 +52,38 @@ public final class Rooms implements AutoCloseable {
         });
     }
 
-    /** Opens a room whose frames go to the sink. Its clock stands still until {@link OpenRoom#start}. */
-    public OpenRoom open(RoomSpec spec, FrameSink sink) {
-        ScheduledExecutorService thread = threads.get(nextThread.getAndIncrement() % threads.size());
-        OpenRoom room = new OpenRoom(spec, sink, thread, nanoTime, failures::incrementAndGet);
-        if (open.putIfAbsent(spec.id(), room) != null) {
+    /**
+     * Opens a room whose frames go to the sink, on the thread that has most time left. Its clock stands still until
+     * {@link OpenRoom#start}.
+     *
+     * @param load what the room is expected to need, as {@link WarmUp} measures it; from then on what it does need counts
+     */
+    public synchronized Admission open(RoomSpec spec, double load, FrameSink sink) {
+        if (open.containsKey(spec.id())) {
             throw new IllegalStateException("there is a room " + spec.id() + " already");
         }
-        return room;
+        TickThread thread = threads.stream()
+                .min(Comparator.comparingDouble(TickThread::load))
+                .orElseThrow();
+        if (!(thread.load() + load <= mostLoad)) {
+            return new Admission.Refused(refusal(spec, load, Math.max(0, mostLoad - thread.load())));
+        }
+        thread.needs(spec.id(), load);
+        OpenRoom room = new OpenRoom(spec, sink, thread, nanoTime, failures::incrementAndGet);
+        open.put(spec.id(), room);
+        return new Admission.Admitted(room);
+    }
+
+    private static String refusal(RoomSpec spec, double load, double left) {
+        return String.format(
+                Locale.ROOT,
+                "There is no time for the room %s: with the scene %s it would take %.0f %% of a processor, and %.0f %% are left."
+                        + " Choose a scene with fewer bodies, close another room, or raise apsis.limits.load and let clocks"
+                        + " run slower than real time.",
+                spec.id(),
+                spec.scene().name(),
+                Math.ceil(100 * load),
+                Math.floor(100 * left));
     }
 
     public Optional<OpenRoom> byId(String id) {
@@ -72,6 +107,6 @@ public final class Rooms implements AutoCloseable {
     @Override
     public void close() {
         open.values().forEach(OpenRoom::close);
-        threads.forEach(ScheduledExecutorService::shutdownNow);
+        threads.forEach(thread -> thread.executor().shutdownNow());
     }
 }

@@ -8,7 +8,8 @@ import java.util.function.LongSupplier;
 
 /**
  * Ticks one room at exactly 150 Hz in the mean. A tick that comes late is caught up at once; beyond
- * {@link TickSchedule#MOST_MISSED} missed ones time is dropped. dt never changes.
+ * {@link TickSchedule#MOST_MISSED} missed ones time is dropped. Where the thread cannot bear 150 ticks a second, the clock
+ * of the room runs slower, evenly, and says so: see {@link ClockSpeed}. dt never changes.
  *
  * <p>The executor must have one thread, on which everything here runs; it may carry many loops.
  */
@@ -21,6 +22,7 @@ final class TickLoop {
     private final Consumer<Throwable> onFailure;
     private final TickMeter meter;
     private final TickSchedule schedule;
+    private final ClockSpeed speed;
     private volatile boolean stopped;
 
     /** {@code onFailure} is called on the tick thread when a tick has thrown; the loop has ended by then. */
@@ -28,11 +30,13 @@ final class TickLoop {
             ScheduledExecutorService executor,
             LongSupplier nanoTime,
             TickMeter meter,
+            ClockSpeed speed,
             Runnable tick,
             Consumer<Throwable> onFailure) {
         this.executor = executor;
         this.nanoTime = nanoTime;
         this.meter = meter;
+        this.speed = speed;
         this.tick = tick;
         this.onFailure = onFailure;
         this.schedule = new TickSchedule(nanoTime.getAsLong());
@@ -83,7 +87,11 @@ final class TickLoop {
             meter.began(now, schedule.due());
             schedule.advance();
             tick.run();
-            meter.ended(nanoTime.getAsLong());
+            long end = nanoTime.getAsLong();
+            meter.ended(end);
+            speed.ticked(end - now, end);
+            schedule.runAt(speed.share());
+            meter.runsAt(speed.share());
         }
     }
 }

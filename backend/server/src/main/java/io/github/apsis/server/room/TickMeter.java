@@ -16,6 +16,7 @@ final class TickMeter {
     private long count;
     private long late;
     private long dropped;
+    private double speed = 1;
     private volatile long lastBegin;
     private volatile Pace latest = Pace.AT_START;
 
@@ -41,12 +42,17 @@ final class TickMeter {
         dropped += ticks;
     }
 
+    /** The clock runs at this share of real time. */
+    void runsAt(double share) {
+        speed = share;
+    }
+
     /** Sums up the ticks so far: sorts 1500 numbers, so a few times a second will do. Tick thread. */
     Pace measure() {
         int n = (int) Math.min(count, WINDOW);
         System.arraycopy(durations, 0, sorted, 0, n);
         Arrays.sort(sorted, 0, n);
-        latest = new Pace(rate(n), millisAt(0.50, n), millisAt(0.99, n), late, dropped);
+        latest = new Pace(rate(n), millisAt(0.50, n), millisAt(0.99, n), late, dropped, speed);
         return latest;
     }
 

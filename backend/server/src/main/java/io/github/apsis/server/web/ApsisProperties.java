@@ -48,19 +48,25 @@ record ApsisProperties(
      * @param commandsPerSecond and session, in the long run
      * @param commandBurst that a session may send at once
      * @param sessions at the same time
+     * @param load the share of a processor that the rooms on it may be expected to need, above 0; above 1 clocks run slower
+     *     than real time
      */
     record Limits(
             @DefaultValue("16384") int messageBytes,
             @DefaultValue("2000") int bodies,
             @DefaultValue("50") int commandsPerSecond,
             @DefaultValue("100") int commandBurst,
-            @DefaultValue("500") int sessions) {
+            @DefaultValue("500") int sessions,
+            @DefaultValue("0.8") double load) {
         Limits {
             atLeast("message-bytes", 1024, messageBytes);
             atLeast("bodies", 1, bodies);
             atLeast("commands-per-second", 1, commandsPerSecond);
             atLeast("command-burst", 1, commandBurst);
             atLeast("sessions", 1, sessions);
+            if (!(load > 0) || Double.isInfinite(load)) {
+                throw new IllegalArgumentException("apsis.limits.load must be above 0 and finite, was " + load);
+            }
         }
 
         private static void atLeast(String name, int least, int value) {

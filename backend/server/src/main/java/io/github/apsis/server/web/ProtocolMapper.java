@@ -65,6 +65,7 @@ final class ProtocolMapper {
                 new Diagnostics.TickMillis(pace.p50Millis(), pace.p99Millis()),
                 pace.lateTicks(),
                 pace.droppedTicks(),
+                pace.speed(),
                 readings.bodies(),
                 clients,
                 nullable(now.map(Conserved::kinetic)),

@@ -5,6 +5,7 @@ import io.github.apsis.protocol.BodyState;
 import io.github.apsis.protocol.RoomInfo;
 import io.github.apsis.scenes.Scene;
 import io.github.apsis.scenes.SceneCatalogue;
+import io.github.apsis.server.room.Admission;
 import io.github.apsis.server.room.FrameSink;
 import io.github.apsis.server.room.OpenRoom;
 import io.github.apsis.server.room.RoomSpec;
@@ -27,9 +28,11 @@ class RoomConfig {
 
     @Bean
     Rooms rooms(ApsisProperties properties, Scene scene, FrameSink sink) {
-        WarmUp.run(scene, properties.seed());
-        Rooms rooms = new Rooms();
-        rooms.open(publicRoom(properties, scene), sink);
+        Rooms rooms = new Rooms(properties.limits().load());
+        double load = WarmUp.run(scene, properties.seed());
+        if (rooms.open(publicRoom(properties, scene), load, sink) instanceof Admission.Refused refused) {
+            throw new IllegalStateException(refused.reason());
+        }
         return rooms;
     }
 

@@ -52,6 +52,14 @@ class RoomMetrics implements MeterBinder {
                 .description("ticks that were given up")
                 .tag("room", id)
                 .register(metrics);
+        Gauge.builder("apsis.clock.speed", room, r -> r.pace().speed())
+                .description("of the room's clock, as a share of real time; below 1 the room is too heavy")
+                .tag("room", id)
+                .register(metrics);
+        Gauge.builder("apsis.room.load", room, OpenRoom::load)
+                .description("share of a processor that 150 ticks a second take")
+                .tag("room", id)
+                .register(metrics);
         Gauge.builder("apsis.bodies", room, OpenRoom::bodies)
                 .description("bodies in the room")
                 .tag("room", id)

@@ -58,13 +58,13 @@ final class StompFrameSink implements FrameSink, AutoCloseable {
     private void sendNewest() {
         RoomFrame frame = newest.getAndSet(null);
         if (frame != null && sessions.anySubscribed(Destinations.BODIES)) {
-            sessions.publish(toBulletin(mapper.toFrame(frame)));
+            sessions.publish(toBulletin(mapper.toFrame(frame), frame.speed()));
         }
     }
 
-    private Bulletin toBulletin(Frame frame) {
-        String headers =
-                "tick:" + frame.tick() + "\ntime:" + frame.time() + "\nsent:" + System.currentTimeMillis() + "\n";
+    private Bulletin toBulletin(Frame frame, double speed) {
+        String headers = "tick:" + frame.tick() + "\ntime:" + frame.time() + "\nspeed:" + speed + "\nsent:"
+                + System.currentTimeMillis() + "\n";
         return new Bulletin(Destinations.BODIES, headers, encoder.encode(frame));
     }
 

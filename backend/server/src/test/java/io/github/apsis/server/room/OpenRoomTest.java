@@ -22,6 +22,7 @@ class OpenRoomTest {
     private static final ClientId ANN = new ClientId("ann");
 
     private final FakeTime time = new FakeTime();
+    private final TickThread thread = new TickThread(time);
     private final RecordingSink sink = new RecordingSink();
     private final AtomicInteger failures = new AtomicInteger();
 
@@ -73,7 +74,8 @@ class OpenRoomTest {
     void other_rooms_on_the_same_thread_do_not_notice() {
         RecordingSink healthy = new RecordingSink();
         open("broken", new BrokenOnce());
-        OpenRoom other = new OpenRoom(spec("healthy", new TestScene()), healthy, time, time, failures::incrementAndGet);
+        OpenRoom other =
+                new OpenRoom(spec("healthy", new TestScene()), healthy, thread, time, failures::incrementAndGet);
         other.start();
 
         time.pass(3 * FakeTime.SECOND);
@@ -110,7 +112,7 @@ class OpenRoomTest {
     }
 
     private OpenRoom open(String id, TestScene scene) {
-        OpenRoom room = new OpenRoom(spec(id, scene), sink, time, time, failures::incrementAndGet);
+        OpenRoom room = new OpenRoom(spec(id, scene), sink, thread, time, failures::incrementAndGet);
         room.start();
         return room;
     }

@@ -207,7 +207,7 @@ class RoomTest {
 
     @Test
     void frames_come_at_their_rate_and_readings_four_times_a_second() {
-        Room slow = new Room(new RoomSpec("slow", new TestScene(), 1, 30, 10), sink, () -> Pace.AT_START);
+        Room slow = new Room(new RoomSpec("slow", new TestScene(), 1, 30, 10), sink, () -> Pace.AT_START, () -> 1);
 
         for (int i = 0; i < 2 * TickLoop.TICKS_PER_SECOND; i++) {
             slow.tick();
@@ -215,6 +215,20 @@ class RoomTest {
 
         assertThat(sink.frames).hasSize(60).allMatch(frame -> frame.world().tick() % 5 == 0);
         assertThat(sink.readings).hasSize(8);
+    }
+
+    /** At half of real time 75 ticks are a second. */
+    @Test
+    void a_slow_clock_says_so_and_makes_frames_no_rarer() {
+        Room slow = new Room(new RoomSpec("slow", new TestScene(), 1, 30, 10), sink, () -> Pace.AT_START, () -> 0.5);
+
+        for (int i = 0; i < TickLoop.TICKS_PER_SECOND; i++) {
+            slow.tick();
+        }
+
+        assertThat(sink.frames).hasSize(60).allMatch(frame -> frame.speed() == 0.5);
+        assertThat(sink.readings).hasSize(8);
+        assertThat(sink.last().world().time()).isEqualTo(1); // a tick is 1/150 of a second as ever
     }
 
     @Test
@@ -272,7 +286,7 @@ class RoomTest {
     }
 
     private Room room(TestScene scene, int maxBodies) {
-        return new Room(new RoomSpec("test", scene, 1, 150, maxBodies), sink, () -> Pace.AT_START);
+        return new Room(new RoomSpec("test", scene, 1, 150, maxBodies), sink, () -> Pace.AT_START, () -> 1);
     }
 
     private void submit(ClientId client, Request request) {

@@ -14,7 +14,9 @@ class TickLoopTest {
     private final List<Long> ticks = new ArrayList<>();
     private final List<Throwable> failures = new ArrayList<>();
     private Runnable work = () -> {};
-    private final TickLoop loop = new TickLoop(time, time, meter, this::tick, failures::add);
+    private final TickThread thread = new TickThread(time);
+    private final ClockSpeed speed = new ClockSpeed(thread, "room", time.getAsLong());
+    private final TickLoop loop = new TickLoop(time, time, meter, speed, this::tick, failures::add);
 
     private void tick() {
         ticks.add(time.getAsLong());
@@ -68,6 +70,49 @@ class TickLoopTest {
         long dropped = meter.measure().droppedTicks();
         assertThat(dropped).isBetween(1480L, 1490L);
         assertThat(ticks.size() + dropped).isEqualTo(1 + 12 * 150);
+    }
+
+    @Test
+    void a_clock_that_a_thread_cannot_bear_runs_slower_and_drops_nothing_any_more() {
+        work = () -> time.freeze(20_000_000); // 150 of them take three seconds
+        time.pass(10 * FakeTime.SECOND);
+        long droppedUntilItKnew = meter.measure().droppedTicks();
+        int ticksBefore = ticks.size();
+
+        time.pass(100 * FakeTime.SECOND);
+
+        assertThat(meter.measure().speed()).isEqualTo(0.3); // 0.9 of the thread / 3
+        assertThat(ticks.size() - ticksBefore).isBetween(4490, 4510); // 0.3 · 150 a second
+        assertThat(meter.measure().droppedTicks()).isEqualTo(droppedUntilItKnew);
+    }
+
+    @Test
+    void a_clock_is_right_again_when_the_work_has_become_lighter() {
+        work = () -> time.freeze(20_000_000);
+        time.pass(10 * FakeTime.SECOND);
+
+        work = () -> time.freeze(1_000_000);
+        time.pass(10 * FakeTime.SECOND);
+        int ticksBefore = ticks.size();
+        time.pass(10 * FakeTime.SECOND);
+
+        assertThat(meter.measure().speed()).isEqualTo(1);
+        assertThat(ticks.size() - ticksBefore).isBetween(1499, 1501);
+    }
+
+    @Test
+    void a_single_long_tick_slows_no_clock() {
+        work = () -> time.freeze(1_000_000);
+        time.pass(5 * FakeTime.SECOND);
+
+        work = () -> {
+            time.freeze(100_000_000); // a collection of garbage
+            work = () -> time.freeze(1_000_000);
+        };
+        time.pass(FakeTime.SECOND);
+
+        assertThat(meter.measure().speed()).isEqualTo(1);
+        assertThat(meter.measure().droppedTicks()).isZero();
     }
 
     @Test

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ApsisPropertiesTest {
-    private static final ApsisProperties.Limits LIMITS = new ApsisProperties.Limits(16384, 2000, 50, 100, 500);
+    private static final ApsisProperties.Limits LIMITS = new ApsisProperties.Limits(16384, 2000, 50, 100, 500, 0.8);
 
     @ParameterizedTest
     @ValueSource(ints = {150, 75, 50, 30, 25, 15, 10, 1})
@@ -45,8 +45,11 @@ class ApsisPropertiesTest {
     @Test
     void a_limit_of_nothing_is_refused() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new ApsisProperties.Limits(16384, 2000, 50, 100, 0))
+                .isThrownBy(() -> new ApsisProperties.Limits(16384, 2000, 50, 100, 0, 0.8))
                 .withMessage("apsis.limits.sessions must be 1 or more, was 0");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new ApsisProperties.Limits(16384, 2000, 50, 100, 500, 0))
+                .withMessage("apsis.limits.load must be above 0 and finite, was 0.0");
     }
 
     private static ApsisProperties properties(String scene, int frameRate, List<String> origins) {
