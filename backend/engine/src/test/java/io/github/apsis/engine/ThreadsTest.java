@@ -52,7 +52,7 @@ class ThreadsTest {
         try (World small = crowd(spec().threads(4).build(), 200)) {
             run(small, 10);
 
-            assertThat(Thread.activeCount()).isEqualTo(before);
+            assertThat(Thread.activeCount()).isLessThanOrEqualTo(before); // those of other tests may end meanwhile
         }
     }
 

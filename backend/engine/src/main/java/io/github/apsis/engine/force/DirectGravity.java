@@ -13,7 +13,7 @@ import java.util.OptionalDouble;
  * </pre>
  *
  * <p>ε is the softening of Plummer (1911, MNRAS 71, 460); 0 gives Newton's law. Each pair is pulled from both ends over the
- * same distance, so momentum is conserved to rounding. Exact, and n²/2 pairs dear, of 0.9 ns where there are many: beyond a
+ * same distance, so momentum is conserved to rounding. Exact, and n²/2 pairs dear, of 0.8 ns where there are many: beyond a
  * thousand bodies consider {@link TreeGravity}.
  */
 public final class DirectGravity implements ForceLaw {

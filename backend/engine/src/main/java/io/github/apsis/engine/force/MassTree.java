@@ -10,13 +10,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * A quadtree over masses, with the centre, the reach and the moments of every cell: the first half of {@link TreeGravity}.
  *
- * <p>The tree is cut into boughs: the largest subtrees with no more than a 64th of the bodies, and what stands above them, the
+ * <p>The tree is cut into boughs: the largest subtrees with no more than a 32nd of the bodies, and what stands above them, the
  * trunk. Boughs do not need each other on the way up, and are the pieces of work. Where they are cut depends on the bodies
  * alone.
  */
 final class MassTree implements Work {
-    private static final int LEAF_SIZE = 32; // 16 to 48 take the same time; larger leaves err less
-    private static final int SHARES = 64; // a bough has one of so many of the bodies at most
+    private static final int LEAF_SIZE = 48; // 24 to 64 take the same time; larger leaves err less
+    private static final int SHARES =
+            32; // a bough has one of so many of the bodies at most; with 64 the trunk took as long again
 
     /** Length; where 1/r⁷ and r⁵ are numbers. Cells larger or farther out pull body by body. */
     private static final double LARGEST = 1e40;
@@ -112,8 +113,7 @@ final class MassTree implements Work {
         if (bodies != null) {
             masses.load(bodies, tree, tree.first(root), tree.end(root));
         }
-        ordinaryBough[piece] =
-                masses.liesBetween(NearSources.SMALLEST, NearSources.LARGEST, tree.first(root), tree.end(root));
+        ordinaryBough[piece] = NearSources.areOrdinary(masses, tree.first(root), tree.end(root));
         for (int cell = tree.past(root) - 1; cell >= root; cell--) { // children stand behind their parent
             workOut(cell, kernels[member]);
         }

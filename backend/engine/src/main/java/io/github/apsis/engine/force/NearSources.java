@@ -15,10 +15,10 @@ final class NearSources {
     private static final double FLOOR = 1e-200;
 
     /** Length; ordinary numbers beyond it differ by 1e-86 or not at all. */
-    static final double SMALLEST = 1e-70;
+    private static final double SMALLEST = 1e-70;
 
     /** Length; d² is a number below. */
-    static final double LARGEST = 1e150;
+    private static final double LARGEST = 1e150;
 
     private final double softeningSquared; // length²
     private int count;
@@ -30,6 +30,11 @@ final class NearSources {
 
     NearSources(double softening) {
         this.softeningSquared = softening * softening;
+    }
+
+    /** Whether distances between any of a run have cubes, unless they are 0. */
+    static boolean areOrdinary(PointMasses masses, int start, int stop) {
+        return masses.liesBetween(SMALLEST, LARGEST, start, stop);
     }
 
     /** Forgets all sources. */

@@ -2,7 +2,6 @@ package io.github.apsis.engine.force;
 
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.spatial.Quadtree;
-import java.util.Arrays;
 
 /** Masses in contiguous columns, and what pulls them: what the loops of a gravity solver read and write. */
 final class PointMasses {
@@ -33,28 +32,24 @@ final class PointMasses {
     /** Copies bodies in the order of their slots, from the start to before the stop; nothing pulls them yet. */
     void load(Bodies bodies, int start, int stop) {
         for (int i = start; i < stop; i++) {
-            place(i, bodies, i);
+            load(i, bodies, i);
         }
-        rest(start, stop);
     }
 
     /** Copies bodies in the order of the tree, so that those of a node are a run. */
     void load(Bodies bodies, Quadtree tree, int start, int stop) {
         for (int k = start; k < stop; k++) {
-            place(k, bodies, tree.item(k));
+            load(k, bodies, tree.item(k));
         }
-        rest(start, stop);
     }
 
-    private void place(int k, Bodies bodies, int slot) {
+    /** Copies one body, which nothing pulls yet. */
+    void load(int k, Bodies bodies, int slot) {
         x[k] = bodies.x(slot);
         y[k] = bodies.y(slot);
         mass[k] = bodies.mass(slot);
-    }
-
-    private void rest(int start, int stop) {
-        Arrays.fill(ax, start, stop, 0);
-        Arrays.fill(ay, start, stop, 0);
+        ax[k] = 0;
+        ay[k] = 0;
     }
 
     /** Whether every coordinate of a run is 0 or between these in size. */

@@ -19,6 +19,13 @@ public final class Quadtree {
     private static final int LEVELS = 16; // two bits of the 32-bit Z-order key each
     private static final double KEY_SCALE = 65535;
 
+    // Digits of the radix sort, in bits: three of 11 where many items are worth their histograms, and four of 8
+    // elsewhere.
+    private static final int NARROW = 8;
+    private static final int WIDE = 11;
+    private static final int MANY = 2048;
+    private static final int MOST_DIGITS = 4;
+
     private final int leafSize;
     private int count;
     private double[] minX = new double[16];
@@ -28,7 +35,7 @@ public final class Quadtree {
 
     private long[] order = new long[16]; // key << 32 | item, sorted
     private long[] spare = new long[16];
-    private final int[] histogram = new int[257];
+    private final int[] histogram = new int[MOST_DIGITS << WIDE]; // of all digits of a key, one behind the other
 
     private int nodes;
     private double[] nodeMinX = new double[16];
@@ -145,23 +152,44 @@ public final class Quadtree {
         return (b | b << 1) & 0x55555555L;
     }
 
-    /** Radix sort of a run, four passes of eight bits; stable, so equal keys stay in the order they had. */
+    /** Radix sort of a run; stable, so equal keys stay in the order they had. */
     private void sortByKey(int start, int stop) {
-        for (int shift = 32; shift < 64; shift += 8) {
-            Arrays.fill(histogram, 0);
-            for (int p = start; p < stop; p++) {
-                histogram[(int) (order[p] >>> shift & 0xff) + 1]++;
-            }
-            for (int digit = 0; digit < 256; digit++) {
-                histogram[digit + 1] += histogram[digit];
-            }
-            for (int p = start; p < stop; p++) {
-                spare[start + histogram[(int) (order[p] >>> shift & 0xff)]++] = order[p];
-            }
-            long[] sorted = spare;
-            spare = order;
-            order = sorted;
+        // An odd number of passes ends in the other array, which has all items only if all are sorted.
+        int bits = stop - start < count || count < MANY ? NARROW : WIDE;
+        int digits = (2 * LEVELS + bits - 1) / bits;
+        countDigits(start, stop, bits, digits);
+        for (int digit = 0; digit < digits; digit++) {
+            sortByDigit(start, stop, bits, digit);
         }
+    }
+
+    private void countDigits(int start, int stop, int bits, int digits) {
+        Arrays.fill(histogram, 0, digits << bits, 0);
+        long mask = (1L << bits) - 1;
+        for (int p = start; p < stop; p++) {
+            long key = order[p] >>> 32;
+            for (int digit = 0; digit < digits; digit++) {
+                histogram[(digit << bits) + (int) (key >>> digit * bits & mask)]++;
+            }
+        }
+    }
+
+    private void sortByDigit(int start, int stop, int bits, int digit) {
+        int from = digit << bits;
+        int place = start;
+        for (int value = from; value < from + (1 << bits); value++) {
+            int equal = histogram[value];
+            histogram[value] = place;
+            place += equal;
+        }
+        int shift = 32 + digit * bits;
+        long mask = (1L << bits) - 1;
+        for (int p = start; p < stop; p++) {
+            spare[histogram[from + (int) (order[p] >>> shift & mask)]++] = order[p];
+        }
+        long[] sorted = spare;
+        spare = order;
+        order = sorted;
     }
 
     /** Adds the node of a run of the order, and everything below it. */
@@ -190,10 +218,7 @@ public final class Quadtree {
         double highY = Double.NEGATIVE_INFINITY;
         int begin = start;
         while (begin < stop) {
-            int next = begin + 1;
-            while (next < stop && digit(next, depth) == digit(begin, depth)) {
-                next++;
-            }
+            int next = endOfQuarter(begin, stop, depth);
             int child = nodes;
             addNode(begin, next, depth + 1);
             lowX = Math.min(lowX, nodeMinX[child]);
@@ -204,6 +229,22 @@ public final class Quadtree {
         }
         setBox(node, lowX, lowY, highX, highY);
         past[node] = nodes;
+    }
+
+    /** Where the run of items in the quarter of the first one ends: found by halving, keys being sorted. */
+    private int endOfQuarter(int start, int stop, int depth) {
+        int quarter = digit(start, depth);
+        int inside = start;
+        int outside = stop;
+        while (outside - inside > 1) {
+            int middle = (inside + outside) >>> 1;
+            if (digit(middle, depth) == quarter) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        return outside;
     }
 
     private void addLeaf(int start, int stop) {
