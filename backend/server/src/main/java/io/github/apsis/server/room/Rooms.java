@@ -1,5 +1,6 @@
 package io.github.apsis.server.room;
 
+import java.lang.management.ManagementFactory;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
@@ -35,13 +36,20 @@ public final class Rooms implements AutoCloseable {
                 IntStream.range(0, Runtime.getRuntime().availableProcessors())
                         .mapToObj(Rooms::tickThread)
                         .toList(),
-                System::nanoTime);
+                System::nanoTime,
+                ManagementFactory.getThreadMXBean()::getCurrentThreadCpuTime);
     }
 
-    Rooms(double mostLoad, List<? extends ScheduledExecutorService> executors, LongSupplier nanoTime) {
+    Rooms(
+            double mostLoad,
+            List<? extends ScheduledExecutorService> executors,
+            LongSupplier nanoTime,
+            LongSupplier cpuTime) {
         this.mostLoad = mostLoad;
         this.nanoTime = nanoTime;
-        this.threads = executors.stream().map(TickThread::new).toList();
+        this.threads = executors.stream()
+                .map(executor -> new TickThread(executor, cpuTime))
+                .toList();
     }
 
     private static ScheduledExecutorService tickThread(int number) {

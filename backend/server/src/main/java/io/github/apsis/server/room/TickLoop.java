@@ -78,7 +78,9 @@ final class TickLoop {
 
     /** Runs the ticks that are due by now. */
     void runDueTicks() {
-        meter.dropped(schedule.dropMissed(nanoTime.getAsLong()));
+        long dropped = schedule.dropMissed(nanoTime.getAsLong());
+        meter.dropped(dropped);
+        speed.dropped(dropped);
         for (int n = 0; n <= TickSchedule.MOST_MISSED && !stopped; n++) {
             long now = nanoTime.getAsLong();
             if (!schedule.isDue(now)) {
@@ -86,10 +88,11 @@ final class TickLoop {
             }
             meter.began(now, schedule.due());
             schedule.advance();
+            speed.began();
             tick.run();
             long end = nanoTime.getAsLong();
             meter.ended(end);
-            speed.ticked(end - now, end);
+            speed.ended(end - now, end);
             schedule.runAt(speed.share());
             meter.runsAt(speed.share());
         }

@@ -3,6 +3,7 @@ package io.github.apsis.server.room;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ScheduledExecutorService;
+import java.util.function.LongSupplier;
 
 /**
  * One thread that ticks rooms, and how its time is shared.
@@ -16,14 +17,22 @@ final class TickThread {
     static final double MOST = 0.9;
 
     private final ScheduledExecutorService executor;
+    private final LongSupplier cpuTime;
     private final Map<String, Double> loads = new ConcurrentHashMap<>();
 
-    TickThread(ScheduledExecutorService executor) {
+    /** {@code cpuTime} of the thread that asks, ns. */
+    TickThread(ScheduledExecutorService executor, LongSupplier cpuTime) {
         this.executor = executor;
+        this.cpuTime = cpuTime;
     }
 
     ScheduledExecutorService executor() {
         return executor;
+    }
+
+    /** That this thread has had so far, when it asks. */
+    long cpuNanos() {
+        return cpuTime.getAsLong();
     }
 
     /** What a room needs now. Any thread. */

@@ -22,7 +22,7 @@ class OpenRoomTest {
     private static final ClientId ANN = new ClientId("ann");
 
     private final FakeTime time = new FakeTime();
-    private final TickThread thread = new TickThread(time);
+    private final TickThread thread = new TickThread(time, time);
     private final RecordingSink sink = new RecordingSink();
     private final AtomicInteger failures = new AtomicInteger();
 

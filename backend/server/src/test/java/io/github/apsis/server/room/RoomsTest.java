@@ -12,7 +12,7 @@ class RoomsTest {
     private static final double MOST = 0.8;
 
     private final FakeTime time = new FakeTime();
-    private final Rooms rooms = new Rooms(MOST, List.of(time, time), time); // two threads
+    private final Rooms rooms = new Rooms(MOST, List.of(time, time), time, time); // two threads
 
     private Admission open(String id, double load) {
         return rooms.open(new RoomSpec(id, new TestScene(), 1, 30, 10), load, new RecordingSink());

@@ -14,7 +14,8 @@ class TickLoopTest {
     private final List<Long> ticks = new ArrayList<>();
     private final List<Throwable> failures = new ArrayList<>();
     private Runnable work = () -> {};
-    private final TickThread thread = new TickThread(time);
+    private long waited; // for another program: time by the clock and no CPU time
+    private final TickThread thread = new TickThread(time, () -> time.getAsLong() - waited);
     private final ClockSpeed speed = new ClockSpeed(thread, "room", time.getAsLong());
     private final TickLoop loop = new TickLoop(time, time, meter, speed, this::tick, failures::add);
 
@@ -98,6 +99,37 @@ class TickLoopTest {
 
         assertThat(meter.measure().speed()).isEqualTo(1);
         assertThat(ticks.size() - ticksBefore).isBetween(1499, 1501);
+    }
+
+    @Test
+    void a_thread_that_now_and_then_waits_for_other_programs_slows_no_clock() {
+        work = () -> {
+            time.freeze(1_000_000);
+            if (ticks.size() % 300 == 0) {
+                time.freeze(FakeTime.SECOND);
+                waited += FakeTime.SECOND;
+            }
+        };
+
+        time.pass(60 * FakeTime.SECOND);
+
+        assertThat(meter.measure().speed()).isEqualTo(1);
+        assertThat(meter.measure().droppedTicks()).isPositive();
+    }
+
+    @Test
+    void a_machine_that_never_gives_enough_slows_the_clock_instead_of_dropping_for_ever() {
+        work = () -> {
+            time.freeze(20_000_000);
+            waited += 19_000_000;
+        };
+        time.pass(20 * FakeTime.SECOND);
+        long droppedUntilItKnew = meter.measure().droppedTicks();
+
+        time.pass(60 * FakeTime.SECOND);
+
+        assertThat(meter.measure().speed()).isEqualTo(0.3); // 0.9 of the thread / 3
+        assertThat(meter.measure().droppedTicks()).isEqualTo(droppedUntilItKnew);
     }
 
     @Test

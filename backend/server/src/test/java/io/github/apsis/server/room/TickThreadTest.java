@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 
 class TickThreadTest {
-    private final TickThread thread = new TickThread(new FakeTime());
+    private final TickThread thread = new TickThread(new FakeTime(), () -> 0);
 
     @Test
     void rooms_that_fit_run_at_real_time() {
