@@ -28,7 +28,7 @@ final class BroadPhase {
         for (int i = 0; i < bodies.count(); i++) {
             double acceleration = acceleration(bodies, i);
             most = acceleration > most ? acceleration : most; // Math.max would wait for the one before
-            set(bodies, paths, i, acceleration);
+            grid.set(i, x(bodies, paths, i), y(bodies, paths, i), reach(bodies, paths, i, acceleration));
         }
         mostAcceleration = most;
         grid.build();
@@ -54,23 +54,30 @@ final class BroadPhase {
 
     /** The path of a body has been bent. */
     void update(Bodies bodies, Paths paths, int i) {
-        set(bodies, paths, i, acceleration(bodies, i));
-        grid.move(i);
+        double reach = reach(bodies, paths, i, acceleration(bodies, i));
+        grid.move(i, x(bodies, paths, i), y(bodies, paths, i), reach);
     }
 
     private static double acceleration(Bodies bodies, int i) {
         return Math.abs(Paths.accelerationX(bodies, i)) + Math.abs(Paths.accelerationY(bodies, i));
     }
 
-    private void set(Bodies bodies, Paths paths, int i, double acceleration) {
+    private static double x(Bodies bodies, Paths paths, int i) {
+        return paths.startX(i) + 0.5 * (bodies.x(i) - paths.startX(i));
+    }
+
+    private static double y(Bodies bodies, Paths paths, int i) {
+        return paths.startY(i) + 0.5 * (bodies.y(i) - paths.startY(i));
+    }
+
+    private static double reach(Bodies bodies, Paths paths, int i, double acceleration) {
         double wx = bodies.x(i) - paths.startX(i);
         double wy = bodies.y(i) - paths.startY(i);
         double length = paths.dt() - paths.startTime(i);
         // A parabola leaves its chord by a T²/8 at most; a body that is stopped by another is a T² from where it would
         // be.
         double bulge = length * length / 8 + paths.dt() * paths.dt();
-        double reach = bodies.radius(i) + 0.5 * Math.sqrt(wx * wx + wy * wy) + acceleration * bulge;
-        grid.set(i, paths.startX(i) + 0.5 * wx, paths.startY(i) + 0.5 * wy, GRAZING * reach);
+        return GRAZING * (bodies.radius(i) + 0.5 * Math.sqrt(wx * wx + wy * wy) + acceleration * bulge);
     }
 
     /**

@@ -9,10 +9,8 @@ import java.util.Arrays;
 final class ImpactQueue {
     private int size;
     private double[] time = new double[16];
-    private int[] first = new int[16];
-    private int[] second = new int[16];
-    private int[] firstVersion = new int[16];
-    private int[] secondVersion = new int[16];
+    private long[] pair = new long[16]; // first << 32 | second, walls moved up so that pairs are in order
+    private long[] versions = new long[16]; // of the first << 32 | of the second
 
     void clear() {
         size = 0;
@@ -25,40 +23,36 @@ final class ImpactQueue {
     void push(double t, int a, int b, int versionOfA, int versionOfB) {
         if (size == time.length) {
             time = Arrays.copyOf(time, 2 * size);
-            first = Arrays.copyOf(first, 2 * size);
-            second = Arrays.copyOf(second, 2 * size);
-            firstVersion = Arrays.copyOf(firstVersion, 2 * size);
-            secondVersion = Arrays.copyOf(secondVersion, 2 * size);
+            pair = Arrays.copyOf(pair, 2 * size);
+            versions = Arrays.copyOf(versions, 2 * size);
         }
+        long pushed = (long) a << 32 | (long) b - Integer.MIN_VALUE;
         int k = size++;
-        while (k > 0 && isBefore(t, a, b, (k - 1) / 2)) {
+        while (k > 0 && isBefore(t, pushed, (k - 1) / 2)) {
             move((k - 1) / 2, k);
             k = (k - 1) / 2;
         }
-        set(k, t, a, b, versionOfA, versionOfB);
+        set(k, t, pushed, (long) versionOfA << 32 | versionOfB);
     }
 
     /** The earliest impact stands at the head: {@link #time}, {@link #first} and the others read it. */
     void pop() {
         size--;
         double t = time[size];
-        int a = first[size];
-        int b = second[size];
-        int versionOfA = firstVersion[size];
-        int versionOfB = secondVersion[size];
+        long moved = pair[size];
         int k = 0;
         while (2 * k + 1 < size) {
             int child = 2 * k + 1;
-            if (child + 1 < size && isBefore(time[child + 1], first[child + 1], second[child + 1], child)) {
+            if (child + 1 < size && isBefore(time[child + 1], pair[child + 1], child)) {
                 child++;
             }
-            if (isBefore(t, a, b, child)) {
+            if (isBefore(t, moved, child)) {
                 break;
             }
             move(child, k);
             k = child;
         }
-        set(k, t, a, b, versionOfA, versionOfB);
+        set(k, t, moved, versions[size]);
     }
 
     double time() {
@@ -66,38 +60,33 @@ final class ImpactQueue {
     }
 
     int first() {
-        return first[0];
+        return (int) (pair[0] >>> 32);
     }
 
     /** The other body, or a wall as a negative number. */
     int second() {
-        return second[0];
+        return (int) pair[0] + Integer.MIN_VALUE;
     }
 
     int firstVersion() {
-        return firstVersion[0];
+        return (int) (versions[0] >>> 32);
     }
 
     int secondVersion() {
-        return secondVersion[0];
+        return (int) versions[0];
     }
 
-    private boolean isBefore(double t, int a, int b, int k) {
-        if (t != time[k]) {
-            return t < time[k];
-        }
-        return a != first[k] ? a < first[k] : b < second[k];
+    private boolean isBefore(double t, long bodies, int k) {
+        return t < time[k] || t == time[k] && bodies < pair[k];
     }
 
-    private void set(int k, double t, int a, int b, int versionOfA, int versionOfB) {
+    private void set(int k, double t, long bodies, long versionsOfBoth) {
         time[k] = t;
-        first[k] = a;
-        second[k] = b;
-        firstVersion[k] = versionOfA;
-        secondVersion[k] = versionOfB;
+        pair[k] = bodies;
+        versions[k] = versionsOfBoth;
     }
 
     private void move(int from, int to) {
-        set(to, time[from], first[from], second[from], firstVersion[from], secondVersion[from]);
+        set(to, time[from], pair[from], versions[from]);
     }
 }

@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Circles of any size and which of them touch: {@link #begin}, {@link #set} for every circle, {@link #build}, then
- * {@link #findPairs}; and where some change later {@link #set} and {@link #move}, and {@link #query} for what touches one.
+ * {@link #findPairs}; and where some change later {@link #move}, and {@link #query} for what touches one.
  *
  * <p>A circle belongs to a grid whose cells are as wide as it is, or up to four times as wide, so it reaches half a cell beyond
  * its own at most and meets circles of its grid in the eight cells around alone; grids of other sizes are asked around it. Cells
@@ -37,7 +37,7 @@ public final class CircleGrid {
     /** So far they may reach after they have been moved. */
     private static final double MOVED = 0.75;
 
-    private static final double SMALLEST = 0x1p-900;
+    private static final double SMALLEST = 0x1p-800;
     private static final double LARGEST = 0x1p900;
 
     private static final int SAMPLE = 64; // circles that tell the size of most
@@ -50,7 +50,7 @@ public final class CircleGrid {
     private final @Nullable Period period;
 
     private int count;
-    private double[] x = new double[16];
+    private double[] x = new double[16]; // as they were sorted
     private double[] y = new double[16];
     private double[] reach = new double[16];
     private int[] level = new int[16];
@@ -74,8 +74,7 @@ public final class CircleGrid {
     // By place.
     private int[] circle = new int[16];
     private int[] home = new int[16]; // its cell
-    private double[] at =
-            new double[64]; // x, y, radius, nothing: a line of memory for two; NaN is the radius of a stray
+    private double[] at = new double[64]; // x, y, radius (NaN of a stray), nothing
 
     // Circles that reach farther from their cells than when they were sorted.
     private int strays;
@@ -447,9 +446,11 @@ public final class CircleGrid {
      * @return how many
      */
     public int query(int i) {
-        double cx = x[i];
-        double cy = y[i];
-        double r = reach[i];
+        int p = place[i];
+        boolean isStray = home[p] < 0;
+        double cx = isStray ? strayX[-1 - home[p]] : at[4 * p];
+        double cy = isStray ? strayY[-1 - home[p]] : at[4 * p + 1];
+        double r = isStray ? strayReach[-1 - home[p]] : at[4 * p + 2];
         for (int k = 0; k < levels; k++) {
             gatherAround(0, used[k], cx, cy, r, MOVED + MARGIN);
         }
@@ -485,49 +486,59 @@ public final class CircleGrid {
         return second[k];
     }
 
-    /** Takes a circle as it was {@link #set} anew after {@link #build}. */
-    public void move(int i) {
+    /** Changes a circle after {@link #build}. */
+    public void move(int i, double centreX, double centreY, double radius) {
+        double newX = period == null ? centreX : period.insideX(centreX);
+        double newY = period == null ? centreY : period.insideY(centreY);
+        double newReach = withRounding(centreX, centreY, radius);
         int p = place[i];
         if (home[p] < 0) {
-            setStray(-1 - home[p], i);
-        } else if (keepsTo(home[p], i)) {
-            at[4 * p + 0] = x[i];
-            at[4 * p + 1] = y[i];
-            at[4 * p + 2] = reach[i];
-        } else if (strays < FEW_STRAYS || (double) strays * strays < MOST_STRAYS * MOST_STRAYS * count) {
+            setStray(-1 - home[p], i, newX, newY, newReach);
+        } else if (keepsToCell(i, newX, newY, newReach)) {
+            at[4 * p] = newX;
+            at[4 * p + 1] = newY;
+            at[4 * p + 2] = newReach;
+        } else {
             home[p] = -1 - strays;
             at[4 * p + 2] = Double.NaN;
             growStrays();
-            setStray(strays++, i);
-        } else {
-            build();
+            setStray(strays++, i, newX, newY, newReach);
+            if (strays > FEW_STRAYS && (double) strays * strays > MOST_STRAYS * MOST_STRAYS * count) {
+                sortAnew();
+            }
         }
     }
 
-    /** Whether a circle is still near enough to the cell that it was sorted into. */
-    private boolean keepsTo(int c, int i) {
-        int l = level[i];
-        int row = (c - firstCell[l]) / columns[l];
-        int column = c - firstCell[l] - row * columns[l];
-        return keepsTo(
-                        column,
-                        columns[l],
-                        (x[i] - reach[i]) * columnsPerLength[l],
-                        (x[i] + reach[i]) * columnsPerLength[l])
-                && keepsTo(row, rows[l], (y[i] - reach[i]) * rowsPerLength[l], (y[i] + reach[i]) * rowsPerLength[l]);
+    /** Whether a circle is still near its cell, of which no more is known than that its centre was there when it was sorted. */
+    private boolean keepsToCell(int i, double newX, double newY, double newReach) {
+        double dx = Math.abs(newX - x[i]);
+        double dy = Math.abs(newY - y[i]);
+        if (period != null) {
+            dx = nearest(dx, period.width());
+            dy = nearest(dy, period.height());
+        }
+        return Math.max(dx, dy) + newReach <= MOVED * side[level[i]];
     }
 
-    private boolean keepsTo(int number, int of, double low, double high) {
-        double least = Math.ceil(high - 1 - MOVED);
-        double most = Math.floor(low + MOVED);
-        return of == 1 || least <= most && (fold(least, of) == number || fold(most, of) == number);
+    private void sortAnew() {
+        for (int p = 0; p < count; p++) {
+            x[circle[p]] = at[4 * p];
+            y[circle[p]] = at[4 * p + 1];
+            reach[circle[p]] = at[4 * p + 2];
+        }
+        for (int s = 0; s < strays; s++) {
+            x[stray[s]] = strayX[s];
+            y[stray[s]] = strayY[s];
+            reach[stray[s]] = strayReach[s];
+        }
+        build();
     }
 
-    private void setStray(int s, int i) {
+    private void setStray(int s, int i, double newX, double newY, double newReach) {
         stray[s] = i;
-        strayX[s] = x[i];
-        strayY[s] = y[i];
-        strayReach[s] = reach[i];
+        strayX[s] = newX;
+        strayY[s] = newY;
+        strayReach[s] = newReach;
     }
 
     private void growStrays() {

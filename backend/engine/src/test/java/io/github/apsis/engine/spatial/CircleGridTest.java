@@ -72,8 +72,7 @@ class CircleGridTest {
                             ? circles(1, radii, rng).get(0)
                             : new Circle(old.x + rng.between(-1, 1), old.y + rng.between(-1, 1), 1.1 * old.r);
                     circles.set(i, changed);
-                    grid.set(i, changed.x, changed.y, changed.r);
-                    grid.move(i);
+                    grid.move(i, changed.x, changed.y, changed.r);
 
                     int asked = step % 2 == 0 ? i : rng.nextInt(count);
 
