@@ -14,7 +14,8 @@ final class BroadPhaseScene implements SpeedScene {
     private static final int SETS = 4;
 
     static {
-        FINDERS.put("apsis", QuadtreePairs::new);
+        FINDERS.put("apsis", CircleGridPairs::new);
+        FINDERS.put("apsis-quadtree", QuadtreePairs::new);
         FINDERS.put("grid", GridPairs::new);
         FINDERS.put(JTS, JtsPairs::new);
     }

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 class PairFinderTest {
     private static final List<PairFinder> FINDERS =
-            List.of(new QuadtreePairs(), new GridPairs(), new JtsPairs(), new SweepPairs());
+            List.of(new CircleGridPairs(), new QuadtreePairs(), new GridPairs(), new JtsPairs(), new SweepPairs());
 
     private static Pairs found(PairFinder finder, Circles circles) {
         Pairs pairs = new Pairs();
