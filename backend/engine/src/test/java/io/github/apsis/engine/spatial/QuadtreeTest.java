@@ -56,6 +56,24 @@ class QuadtreeTest {
     }
 
     @Test
+    void a_crowd_beside_one_far_away_is_sorted_anew_within_its_own_box() {
+        var rng = new Rng(5);
+        double[][] boxes = new double[5001][];
+        Arrays.setAll(boxes, i -> {
+            double x = i == 2500 ? 1e12 : rng.between(0, 1);
+            double y = rng.between(0, 1);
+            return new double[] {x, y, x, y};
+        });
+        build(boxes);
+
+        for (int i = 0; i < 100; i++) {
+            double x = rng.between(0, 1);
+            double y = rng.between(0, 1);
+            assertThat(query(x, y, x + 0.1, y + 0.1)).isEqualTo(touching(boxes, x, y, x + 0.1, y + 0.1));
+        }
+    }
+
+    @Test
     void can_be_built_again_with_fewer_items() {
         build(new double[][] {{0, 0, 1, 1}, {5, 5, 6, 6}});
         build(new double[][] {{8, 8, 9, 9}});
