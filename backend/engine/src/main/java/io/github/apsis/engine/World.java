@@ -250,6 +250,12 @@ public final class World implements AutoCloseable {
         return Collections.unmodifiableList(departures);
     }
 
+    /** What a ship is doing; empty when there is no such ship. */
+    public Optional<ShipReading> ship(BodyId ship) {
+        int slot = bodies.slotOf(ship);
+        return slot >= 0 && bodies.isShip(slot) ? Optional.of(ShipReading.of(bodies, slot)) : Optional.empty();
+    }
+
     /** A hash of the whole state, tick included: equal histories have equal hashes. */
     public long stateHash() {
         return bodies.hash() * 31 + tick;
@@ -338,7 +344,7 @@ public final class World implements AutoCloseable {
     private static Steering steeringOf(WorldSpec spec) {
         var walls = spec.boundary() instanceof Boundary.Walls w ? w.box() : null;
         var period = spec.boundary() instanceof Boundary.Periodic p ? new Period(p.box()) : null;
-        return new Steering(spec.slowingRadius(), spec.gravity(), spec.seed(), walls, period);
+        return new Steering(spec.steering(), spec.gravity(), spec.seed(), walls, period);
     }
 
     /** Exact contacts of the adaptive method are found on its series, all others on the parabola of a tick. */

@@ -8,6 +8,7 @@ import io.github.apsis.engine.force.UniformField;
 import io.github.apsis.engine.integration.AdaptiveTaylor;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.parallel.Team;
+import io.github.apsis.engine.steering.SteeringSpec;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -36,7 +37,7 @@ public final class WorldSpec {
     private final OptionalDouble restitution;
     private final ContactMode contactMode;
     private final Boundary boundary;
-    private final double slowingRadius;
+    private final SteeringSpec steering;
     private final double dt;
     private final long seed;
     private final int maxBodies;
@@ -52,7 +53,7 @@ public final class WorldSpec {
         restitution = builder.restitution;
         contactMode = builder.contactMode;
         boundary = builder.boundary;
-        slowingRadius = builder.slowingRadius;
+        steering = builder.steering;
         dt = builder.dt;
         seed = builder.seed;
         maxBodies = builder.maxBodies;
@@ -108,7 +109,12 @@ public final class WorldSpec {
 
     /** Distance to its target at which a ship begins to slow down, length. */
     public double slowingRadius() {
-        return slowingRadius;
+        return steering.slowingRadius();
+    }
+
+    /** How ships steer. */
+    public SteeringSpec steering() {
+        return steering;
     }
 
     /** Length of a tick, time. */
@@ -177,7 +183,7 @@ public final class WorldSpec {
         private OptionalDouble restitution = OptionalDouble.empty();
         private ContactMode contactMode = ContactMode.TICK;
         private Boundary boundary = new Boundary.Open();
-        private double slowingRadius = 100;
+        private SteeringSpec steering = SteeringSpec.DEFAULT;
         private double dt = DEFAULT_DT;
         private long seed;
         private int maxBodies = DEFAULT_MAX_BODIES;
@@ -289,7 +295,13 @@ public final class WorldSpec {
         }
 
         public Builder slowingRadius(double length) {
-            this.slowingRadius = requirePositive("slowingRadius", length);
+            this.steering = steering.slowingWithin(length);
+            return this;
+        }
+
+        /** How ships steer, slowing radius included. */
+        public Builder steering(SteeringSpec how) {
+            this.steering = how;
             return this;
         }
 

@@ -66,6 +66,11 @@ public final class Bodies {
     private double[] headingX = new double[16];
     private double[] headingY = new double[16];
     private double[] turnRate = new double[16];
+    private double[] courseX = new double[16];
+    private double[] courseY = new double[16];
+    private boolean[] evading = new boolean[16];
+    private long[] threat = new long[16];
+    private double[] contactIn = new double[16];
     private int[] ships = new int[0];
 
     /** Adds a body and returns its slot. Invalidates nothing: earlier slots keep their meaning. */
@@ -112,6 +117,8 @@ public final class Bodies {
         headingX[i] = speed > 0 ? vx[i] / speed : 1;
         headingY[i] = speed > 0 ? vy[i] / speed : 0;
         turnRate[i] = 0;
+        setCourse(i, vx[i], vy[i], false);
+        setThreat(i, 0, Double.POSITIVE_INFINITY);
         if (limits != null) {
             ships = Arrays.copyOf(ships, ships.length + 1);
             ships[ships.length - 1] = i;
@@ -129,6 +136,11 @@ public final class Bodies {
         for (double[] column : lowColumns()) {
             System.arraycopy(column, i + 1, column, i, behind);
         }
+        for (double[] column : courseColumns()) {
+            System.arraycopy(column, i + 1, column, i, behind);
+        }
+        System.arraycopy(evading, i + 1, evading, i, behind);
+        System.arraycopy(threat, i + 1, threat, i, behind);
         ships = Arrays.stream(ships)
                 .filter(ship -> ship != i)
                 .map(ship -> ship > i ? ship - 1 : ship)
@@ -170,6 +182,10 @@ public final class Bodies {
         return new double[][] {xLow, yLow, vxLow, vyLow};
     }
 
+    private double[][] courseColumns() {
+        return new double[][] {courseX, courseY, contactIn};
+    }
+
     private void grow(int capacity) {
         id = Arrays.copyOf(id, capacity);
         kind = Arrays.copyOf(kind, capacity);
@@ -195,6 +211,11 @@ public final class Bodies {
         headingX = Arrays.copyOf(headingX, capacity);
         headingY = Arrays.copyOf(headingY, capacity);
         turnRate = Arrays.copyOf(turnRate, capacity);
+        courseX = Arrays.copyOf(courseX, capacity);
+        courseY = Arrays.copyOf(courseY, capacity);
+        evading = Arrays.copyOf(evading, capacity);
+        threat = Arrays.copyOf(threat, capacity);
+        contactIn = Arrays.copyOf(contactIn, capacity);
     }
 
     public int count() {
@@ -623,6 +644,41 @@ public final class Bodies {
         turnRate[i] = newTurnRate;
     }
 
+    /** The velocity that a ship is on its way to. */
+    public double courseX(int i) {
+        return courseX[i];
+    }
+
+    public double courseY(int i) {
+        return courseY[i];
+    }
+
+    /** Whether the course of a ship is a detour and not what it would like best. */
+    public boolean isEvading(int i) {
+        return evading[i];
+    }
+
+    public void setCourse(int i, double newVx, double newVy, boolean detour) {
+        courseX[i] = newVx;
+        courseY[i] = newVy;
+        evading[i] = detour;
+    }
+
+    /** The value of the id of the body that a ship would touch first if it did as it likes; 0 when there is none. */
+    public long threat(int i) {
+        return threat[i];
+    }
+
+    /** In how much time it would; infinite when there is none. */
+    public double contactIn(int i) {
+        return contactIn[i];
+    }
+
+    public void setThreat(int i, long body, double time) {
+        threat[i] = body;
+        contactIn[i] = time;
+    }
+
     /**
      * A 64-bit FNV-1a hash over the bits of the whole state, in slot order: equal states have equal hashes, on every
      * machine.
@@ -644,6 +700,13 @@ public final class Bodies {
                     hash = fold(fold(hash, i), Double.doubleToLongBits(column[i]));
                 }
             }
+        }
+        for (int i : ships) {
+            hash = fold(hash, Double.doubleToLongBits(courseX[i] + 0.0));
+            hash = fold(hash, Double.doubleToLongBits(courseY[i] + 0.0));
+            hash = fold(hash, evading[i] ? 1 : 0);
+            hash = fold(hash, threat[i]);
+            hash = fold(hash, Double.doubleToLongBits(contactIn[i]));
         }
         return hash;
     }

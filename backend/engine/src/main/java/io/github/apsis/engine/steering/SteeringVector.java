@@ -1,11 +1,19 @@
 package io.github.apsis.engine.steering;
 
 /** A vector that behaviours fill in and the next ship reuses: a decision allocates nothing. */
-final class SteeringVector {
+public final class SteeringVector {
     double x;
     double y;
 
-    void set(double newX, double newY) {
+    public double x() {
+        return x;
+    }
+
+    public double y() {
+        return y;
+    }
+
+    public void set(double newX, double newY) {
         x = newX;
         y = newY;
     }

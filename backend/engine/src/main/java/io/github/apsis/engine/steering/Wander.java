@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * <p>τ and σ scale with the time in which the ship can stop. ξ is a pure function of seed, ship and tick: no order of
  * evaluation can change it. The heading turns by a rational rotation: no trigonometry, the same bits everywhere.
  */
-final class Wander {
+final class Wander implements Preference {
     private static final double CRUISE_SHARE = 0.6;
     private static final double MEMORY = 0.8; // τ in stopping times
     private static final double RESTLESSNESS = 1.4; // σ in stopping times^(−3/2)
@@ -31,7 +31,8 @@ final class Wander {
     }
 
     /** Turns the heading by one tick and prefers to follow it. */
-    void prefer(Bodies bodies, int i, long tick, double dt, SteeringVector velocity) {
+    @Override
+    public void prefer(Bodies bodies, int i, long tick, double dt, SteeringVector velocity) {
         double stoppingTime = bodies.maxSpeed(i) / (bodies.maxForce(i) * bodies.inverseMass(i));
         double noise = 2 * Rng.unitAt(seed, bodies.idValue(i), tick) - 1;
         double turnRate = bodies.turnRate(i);

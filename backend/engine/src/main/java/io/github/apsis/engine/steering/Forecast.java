@@ -1,0 +1,143 @@
+package io.github.apsis.engine.steering;
+
+import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.math.Period;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where the neighbours of a ship will be, relative to where it is now, at some times up to the horizon.
+ *
+ * <p>Ships fly the course that they have chosen last: that others know it is what makes a crowd flow (circle of 200: a third of the
+ * collisions of the same planner that lets them fly straight on, and none with what follows from it). Everything else falls: a
+ * parabola, bent as a circle where the pull is across,
+ *
+ * <pre>
+ *   r + v (t − ω² t³/6) + a t²/2,   ω = |v × a| / v²
+ * </pre>
+ *
+ * <p>which an asteroid on an orbit of 300 leaves by half a unit in 2.5 s.
+ */
+final class Forecast {
+    /** When, in shares of the horizon; in between all motion is taken as straight. */
+    private static final double[] TIMES = {0.048, 0.12, 0.22, 0.36, 0.6, 1.0};
+
+    static final int COUNT = TIMES.length;
+
+    private static final double LONGEST_BEND = 2; // (ωt)², beyond it the series is of no use
+    private static final double CALM_ROCK = 0.3; // of the margin, against what moves along with the ship
+    private static final double ROCK = 0.45; // of the margin: a rock has no mind to change
+    private static final double ROCK_SPEED = 0.5; // relative, of the top speed, from which on the margin is whole
+    private static final double CALM_SHIP = 0.4;
+    private static final double SHIP_SPEED = 0.4;
+
+    private final Courses courses;
+    private final @Nullable Period period;
+    private final double[] time = new double[COUNT];
+    private final double[][] x = new double[COUNT][Nearest.MOST];
+    private final double[][] y = new double[COUNT][Nearest.MOST];
+    private final double[] startX = new double[Nearest.MOST];
+    private final double[] startY = new double[Nearest.MOST];
+    private final double[] touch = new double[Nearest.MOST]; // distance of the centres at which rims touch
+    private final double[] gap = new double[Nearest.MOST]; // now, length
+    private final double[] margin = new double[Nearest.MOST]; // length
+    private int count;
+
+    Forecast(Courses courses, @Nullable Period period) {
+        this.courses = courses;
+        this.period = period;
+    }
+
+    /** Looks ahead for the ship in slot {@code i}. */
+    void look(Bodies bodies, int i, Nearest nearest, double horizon, double topSpeed, double fullMargin) {
+        count = nearest.count();
+        for (int k = 0; k < COUNT; k++) {
+            time[k] = TIMES[k] * horizon;
+        }
+        for (int m = 0; m < count; m++) {
+            int j = nearest.slot(m);
+            double dx = bodies.x(j) - bodies.x(i);
+            double dy = bodies.y(j) - bodies.y(i);
+            startX[m] = period == null ? dx : period.nearestX(dx);
+            startY[m] = period == null ? dy : period.nearestY(dy);
+            touch[m] = nearest.size(j) + bodies.radius(i);
+            gap[m] = Math.sqrt(startX[m] * startX[m] + startY[m] * startY[m]) - touch[m];
+            double dvx = bodies.vx(j) - bodies.vx(i);
+            double dvy = bodies.vy(j) - bodies.vy(i);
+            double relative = Math.sqrt(dvx * dvx + dvy * dvy) / topSpeed;
+            if (bodies.isShip(j) && !bodies.isFixed(j)) {
+                margin[m] = fullMargin * Math.min(1, CALM_SHIP + relative / SHIP_SPEED);
+                foreseeShip(bodies, j, m);
+            } else {
+                margin[m] = ROCK * fullMargin * Math.min(1, CALM_ROCK + relative / ROCK_SPEED);
+                foreseeFall(bodies, j, m);
+            }
+        }
+    }
+
+    private void foreseeShip(Bodies bodies, int j, int m) {
+        double vx = bodies.vx(j);
+        double vy = bodies.vy(j);
+        double dx = courses.x(j) - vx;
+        double dy = courses.y(j) - vy;
+        double a = bodies.maxForce(j) * bodies.inverseMass(j);
+        double lag = courses.isEvading(j) ? Helm.response(bodies, j) : 0;
+        double duration = Manoeuvre.duration(Math.sqrt(dx * dx + dy * dy), a, lag);
+        for (int k = 0; k < COUNT; k++) {
+            x[k][m] = startX[m] + Manoeuvre.at(time[k], vx, courses.x(j), duration);
+            y[k][m] = startY[m] + Manoeuvre.at(time[k], vy, courses.y(j), duration);
+        }
+    }
+
+    private void foreseeFall(Bodies bodies, int j, int m) {
+        double vx = bodies.vx(j);
+        double vy = bodies.vy(j);
+        double ax = bodies.ax(j);
+        double ay = bodies.ay(j);
+        double v2 = vx * vx + vy * vy;
+        double cross = vx * ay - vy * ax;
+        double turn2 = v2 > 0 ? cross * cross / (v2 * v2) : 0;
+        for (int k = 0; k < COUNT; k++) {
+            double t = time[k];
+            double bend = turn2 * t * t;
+            double along = bend < LONGEST_BEND ? t * (1 - bend / 6) : t;
+            x[k][m] = startX[m] + vx * along + 0.5 * ax * t * t;
+            y[k][m] = startY[m] + vy * along + 0.5 * ay * t * t;
+        }
+    }
+
+    int count() {
+        return count;
+    }
+
+    double time(int k) {
+        return time[k];
+    }
+
+    double[] x(int k) {
+        return x[k];
+    }
+
+    double[] y(int k) {
+        return y[k];
+    }
+
+    double startX(int m) {
+        return startX[m];
+    }
+
+    double startY(int m) {
+        return startY[m];
+    }
+
+    double touch(int m) {
+        return touch[m];
+    }
+
+    double gap(int m) {
+        return gap[m];
+    }
+
+    double margin(int m) {
+        return margin[m];
+    }
+}

@@ -1,0 +1,130 @@
+package io.github.apsis.engine.steering;
+
+import io.github.apsis.engine.body.Bodies;
+import java.util.Arrays;
+
+/**
+ * Who is near: a copy of where all bodies are at the start of a decision, sorted into square cells.
+ *
+ * <p>Cells are hashed (Teschner et al. 2003, VMV, "Optimized spatial hashing"), so a body may be anywhere; those of one row lie
+ * side by side, so a search reads as many runs of memory as it touches rows. What is larger than a cell is in a list of its
+ * own. A search finds bodies in a fixed order, and any number of threads may search at once.
+ */
+final class Neighbours {
+    private static final double CELLS_PER_RANGE = 2;
+    private static final int FEWEST_BUCKETS = 64; // more than a search has columns: it meets no cell twice
+    private static final double MOST_CELLS = 1e15; // away from the origin: farther out all bodies share the last one
+
+    private double cell = 1; // length
+    private int mask;
+    private int count;
+    private int small; // how many are in cells; the large ones stand behind them
+    private double largestRadius; // of those in cells
+
+    private int[] start = new int[0]; // by bucket + 1: where its positions begin
+    private int[] bucket = new int[0]; // by slot
+    private int[] item = new int[0]; // by position, as all below
+    private long[] row = new long[0];
+    private double[] x = new double[0];
+    private double[] y = new double[0];
+    private double[] vx = new double[0];
+    private double[] vy = new double[0];
+    private double[] radius = new double[0];
+
+    /** Sorts all bodies, for searches of about this range, length. */
+    void sort(Bodies bodies, double range) {
+        count = bodies.count();
+        cell = range / CELLS_PER_RANGE;
+        makeRoom();
+        Arrays.fill(start, 0);
+        small = 0;
+        largestRadius = 0;
+        for (int i = 0; i < count; i++) {
+            double r = bodies.radius(i);
+            if (r > cell) {
+                bucket[i] = -1;
+            } else {
+                int b = bucketOf(cellOf(bodies.x(i)), cellOf(bodies.y(i)));
+                bucket[i] = b;
+                start[b + 1]++;
+                small++;
+                largestRadius = Math.max(largestRadius, r);
+            }
+        }
+        for (int b = 1; b < start.length; b++) {
+            start[b] += start[b - 1];
+        }
+        int last = count;
+        for (int i = count - 1; i >= 0; i--) { // from behind: what was the end of a bucket becomes its begin
+            if (bucket[i] >= 0) {
+                put(bodies, i, --start[bucket[i] + 1]);
+            } else {
+                put(bodies, i, --last);
+            }
+        }
+    }
+
+    private void put(Bodies bodies, int i, int position) {
+        item[position] = i;
+        row[position] = cellOf(bodies.y(i));
+        x[position] = bodies.x(i);
+        y[position] = bodies.y(i);
+        vx[position] = bodies.vx(i);
+        vy[position] = bodies.vy(i);
+        radius[position] = bodies.radius(i);
+    }
+
+    private void makeRoom() {
+        int buckets = Math.max(FEWEST_BUCKETS, 4 * Integer.highestOneBit(Math.max(1, count)));
+        mask = buckets - 1;
+        if (start.length != buckets + 2) {
+            start = new int[buckets + 2];
+        }
+        if (item.length < count) {
+            int capacity = count + count / 2 + 16;
+            bucket = new int[capacity];
+            item = new int[capacity];
+            row = new long[capacity];
+            x = new double[capacity];
+            y = new double[capacity];
+            vx = new double[capacity];
+            vy = new double[capacity];
+            radius = new double[capacity];
+        }
+    }
+
+    private long cellOf(double coordinate) {
+        return (long) Math.floor(Math.max(-MOST_CELLS, Math.min(MOST_CELLS, coordinate / cell)));
+    }
+
+    private int bucketOf(long column, long line) {
+        return (int) (line * 0x9E3779B97F4A7C15L >>> 20) + (int) column & mask;
+    }
+
+    /** Offers a search every body whose rim is within its reach, and some that are not. */
+    void search(double px, double py, double reach, Nearest of) {
+        for (int p = small; p < count; p++) {
+            of.offer(item[p], x[p], y[p], vx[p], vy[p], radius[p]);
+        }
+        double most = reach + largestRadius;
+        long fromColumn = cellOf(px - most);
+        int columns = (int) Math.min(mask, cellOf(px + most) - fromColumn);
+        long toRow = cellOf(py + most);
+        for (long line = cellOf(py - most); line <= toRow; line++) {
+            int from = bucketOf(fromColumn, line);
+            int to = from + columns;
+            offer(start[from + 1], start[Math.min(to, mask) + 2], line, of);
+            if (to > mask) { // the row goes on at the begin of the table
+                offer(start[1], start[to - mask + 1], line, of);
+            }
+        }
+    }
+
+    private void offer(int from, int to, long line, Nearest of) {
+        for (int p = from; p < to; p++) {
+            if (row[p] == line) {
+                of.offer(item[p], x[p], y[p], vx[p], vy[p], radius[p]);
+            }
+        }
+    }
+}
