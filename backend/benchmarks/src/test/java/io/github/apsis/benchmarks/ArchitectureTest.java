@@ -30,6 +30,7 @@ class ArchitectureTest {
                     "org.jbox2d..",
                     "org.locationtech.jts..",
                     "org.openjdk.jmh..",
+                    "com.badlogic.gdx..",
                     "org.jspecify.annotations..",
                     "com.sun.management..",
                     "javax.imageio..",
@@ -45,7 +46,8 @@ class ArchitectureTest {
                     "io.github.apsis.benchmarks.kernels..",
                     "io.github.apsis.benchmarks.reference..",
                     "io.github.apsis.benchmarks.report..",
-                    "io.github.apsis.benchmarks.speed..")
+                    "io.github.apsis.benchmarks.speed..",
+                    "io.github.apsis.benchmarks.steering..")
             .should()
             .dependOnClassesThat(resideInAnyPackage("io.github.apsis.benchmarks.cli..", "picocli.."));
 

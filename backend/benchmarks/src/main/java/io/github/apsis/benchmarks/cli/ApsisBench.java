@@ -17,7 +17,8 @@ import picocli.CommandLine.IVersionProvider;
             ListCommand.class,
             AccuracyCommand.class,
             ContactsCommand.class,
-            SpeedCommand.class
+            SpeedCommand.class,
+            SteeringCommand.class
         })
 public final class ApsisBench {
     public static void main(String[] args) {
