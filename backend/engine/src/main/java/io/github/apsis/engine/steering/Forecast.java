@@ -18,10 +18,16 @@ import org.jspecify.annotations.Nullable;
  * <p>which an asteroid on an orbit of 300 leaves by half a unit in 2.5 s.
  */
 final class Forecast {
-    /** When, in shares of the horizon; in between all motion is taken as straight. */
-    private static final double[] TIMES = {0.048, 0.12, 0.22, 0.36, 0.6, 1.0};
+    /**
+     * When, in shares of the horizon; in between all motion is taken as straight. A look beyond the horizon is for rocks that close
+     * a gap slowly: without it one ship in a hundred was caught where they fill a sixth of the area.
+     */
+    private static final double[] TIMES = {0.048, 0.12, 0.22, 0.36, 0.6, 1.0, 1.6};
 
     static final int COUNT = TIMES.length;
+
+    /** How many of these concern ships and walls: beyond the horizon there are rocks alone. */
+    static final int WITHIN_HORIZON = COUNT - 1;
 
     private static final double LONGEST_BEND = 2; // (ωt)², beyond it the series is of no use
     private static final double CALM_ROCK = 0.3; // of the margin, against what moves along with the ship
@@ -40,6 +46,7 @@ final class Forecast {
     private final double[] touch = new double[Nearest.MOST]; // distance of the centres at which rims touch
     private final double[] gap = new double[Nearest.MOST]; // now, length
     private final double[] margin = new double[Nearest.MOST]; // length
+    private final boolean[] ship = new boolean[Nearest.MOST];
     private int count;
 
     Forecast(Courses courses, @Nullable Period period) {
@@ -64,7 +71,8 @@ final class Forecast {
             double dvx = bodies.vx(j) - bodies.vx(i);
             double dvy = bodies.vy(j) - bodies.vy(i);
             double relative = Math.sqrt(dvx * dvx + dvy * dvy) / topSpeed;
-            if (bodies.isShip(j) && !bodies.isFixed(j)) {
+            ship[m] = bodies.isShip(j) && !bodies.isFixed(j);
+            if (ship[m]) {
                 margin[m] = fullMargin * Math.min(1, CALM_SHIP + relative / SHIP_SPEED);
                 foreseeShip(bodies, j, m);
             } else {
@@ -119,6 +127,10 @@ final class Forecast {
 
     double[] y(int k) {
         return y[k];
+    }
+
+    boolean isShip(int m) {
+        return ship[m];
     }
 
     double startX(int m) {

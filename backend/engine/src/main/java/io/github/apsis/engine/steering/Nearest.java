@@ -20,6 +20,7 @@ final class Nearest {
 
     private static final double BASE = 1.0 / 3; // of the top speed: what either may still add to the approach
     private static final double SHIPS = 0.6; // of the horizon
+    private static final double ROCKS = 1.6; // of the horizon
     private static final double ESCAPABLE = 0.8; // share of a ship's largest acceleration that gravity may take
 
     private final double gravity; // G, length³ / (mass · time²)
@@ -64,7 +65,7 @@ final class Nearest {
         reach = range + radius;
         base = BASE * topSpeed;
         horizon = until;
-        idle = base * horizon;
+        idle = ROCKS * base * horizon;
         escapable = ESCAPABLE * mostAcceleration;
         count = 0;
         int images = period == null ? 0 : 1; // on each side
@@ -90,7 +91,7 @@ final class Nearest {
         double d = Math.sqrt(d2);
         double gap = d - size(j) - radius;
         double speed = base * d + Math.max(0, closing); // times the distance, like the next line
-        if (gap * d > (bodies.isShip(j) ? SHIPS * horizon : horizon) * speed) {
+        if (gap * d > (bodies.isShip(j) ? SHIPS * horizon : ROCKS * horizon) * speed) {
             return;
         }
         insert(j, d > 0 ? gap * d / speed : gap);

@@ -21,6 +21,7 @@ final class Risk {
     private static final double CLOSE_LATE = 0.02;
     private static final double TOUCH = 8;
     private static final double TOUCH_LATE = 0.15;
+    private static final double BEYOND = 0.03; // the same after the horizon: enough to leave a gap that closes slowly
     private static final double DEEPER = 0.2; // share more per margin of overlap
     private static final double ALMOST = 0.1; // of the margin: closer counts as touching
     private static final double APART = 3; // margins per horizon in which to part
@@ -118,7 +119,7 @@ final class Risk {
 
     private double ofWalls() {
         double most = 0;
-        for (int k = 0; k < Forecast.COUNT; k++) {
+        for (int k = 0; k < Forecast.WITHIN_HORIZON; k++) {
             double gap = wallGap(pathX[k], pathY[k]);
             if (gap < WALL * fullMargin) {
                 most = Math.max(most, severity(gap, forecast.time(k), WALL * fullMargin, wallGap));
@@ -152,7 +153,8 @@ final class Risk {
             double after = before + d2 - 2 * towards;
             // The last of these is (distance of the line)² < within², without the division; it is seldom true, so it is
             // asked first.
-            if (after < 0 || before < 0 || (before * d2 < towards * towards && towards > 0 & towards < d2)) {
+            boolean near = after < 0 || before < 0 || (before * d2 < towards * towards && towards > 0 & towards < d2);
+            if (near && (k < Forecast.WITHIN_HORIZON || !forecast.isShip(m))) {
                 double share = towards <= 0 ? 0 : towards >= d2 ? 1 : towards / d2;
                 double nearX = fromX + share * dx;
                 double nearY = fromY + share * dy;
@@ -176,7 +178,7 @@ final class Risk {
     }
 
     private double severity(double gap, double when, double margin, double start) {
-        double f = when / horizon;
+        double f = Math.min(1, when / horizon);
         double need = margin * (NEED_NOW + (1 - NEED_NOW) * f);
         double hard = ALMOST * margin;
         if (start < need) {
@@ -190,7 +192,9 @@ final class Risk {
         double late = (1 - f) * (1 - f);
         double severity = CLOSE * (CLOSE_LATE + late) * Math.min(1, (need - gap) / margin);
         if (gap < hard) {
-            severity += TOUCH * (TOUCH_LATE + late) * (1 + DEEPER * Math.min(1, (hard - gap) / fullMargin));
+            severity += TOUCH
+                    * ((when > horizon ? BEYOND : TOUCH_LATE) + late)
+                    * (1 + DEEPER * Math.min(1, (hard - gap) / fullMargin));
         }
         return severity;
     }
