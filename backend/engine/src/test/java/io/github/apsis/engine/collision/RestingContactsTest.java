@@ -4,10 +4,12 @@ import static io.github.apsis.engine.ReferenceCase.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.apsis.engine.Command;
 import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSnapshot;
 import io.github.apsis.engine.WorldSpec;
 import io.github.apsis.engine.body.BodyDef;
+import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.body.ShipLimits;
 import io.github.apsis.engine.force.UniformField;
 import io.github.apsis.engine.math.Aabb;
@@ -82,7 +84,8 @@ class RestingContactsTest {
     void a_ship_whose_engine_fights_in_vain_leaves_the_books_in_order() {
         World world = new World(WorldSpec.builder().gravity(16).contacts(0.8).build());
         world.add(BodyDef.planet(0, 0, 60_000, 34));
-        world.add(BodyDef.ship(42, 0, 12, 8, new ShipLimits(120, 2400)));
+        BodyId ship = world.add(BodyDef.ship(42, 0, 12, 8, new ShipLimits(120, 2400)));
+        world.apply(new Command.SeekTarget(ship, 1000, 0)); // straight up
         double before = world.conserved().energy().orElseThrow();
 
         run(world, 1500);
