@@ -28,8 +28,6 @@ import picocli.CommandLine.Spec;
             "Pin it to one core to compare: taskset -c 0 java -jar apsis-bench.jar speed"
         })
 final class SpeedCommand implements Callable<Integer> {
-    private static final int THREADS = 1; // the engine steps a world on one
-
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before the command runs
     private CommandSpec command;
@@ -43,13 +41,25 @@ final class SpeedCommand implements Callable<Integer> {
     @Option(names = "--scene", paramLabel = "S", description = "Only this scene; may be repeated.")
     private List<String> scenes = List.of();
 
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            defaultValue = "1",
+            description =
+                    "Threads that step a world, in the scenes that can have more than one; only those are run with more."
+                            + " Default: ${DEFAULT-VALUE}")
+    private int threads = 1;
+
     @Option(names = "--out", paramLabel = "DIR", description = "Folder for everything that comes out.")
     private @Nullable Path out;
 
     @Override
     public Integer call() throws IOException {
         Length length = glimpse ? Length.GLIMPSE : quick ? Length.SHORT : Length.FULL;
-        var study = new SpeedStudy(new SpeedStudy.Options(length, scenes, THREADS), this::tell);
+        if (threads < 1) {
+            throw new ParameterException(command.commandLine(), "--threads must be 1 or more, was " + threads);
+        }
+        var study = new SpeedStudy(new SpeedStudy.Options(length, scenes, threads), this::tell);
         String table = tableOf(study);
         PrintWriter to = command.commandLine().getOut();
         if (out == null) {

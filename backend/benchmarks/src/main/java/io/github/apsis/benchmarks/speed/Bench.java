@@ -32,9 +32,9 @@ final class Bench {
         };
     }
 
-    /** The spec of a world of ours: the one place to tell it how many threads it has. */
+    /** The spec of a world of ours, which these threads step. */
     WorldSpec spec(WorldSpec.Builder builder) {
-        return builder.build();
+        return builder.threads(threads).build();
     }
 
     /** Measures and reports; an engine that fails has no row, and says why. */

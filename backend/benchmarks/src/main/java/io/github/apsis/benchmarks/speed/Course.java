@@ -12,4 +12,7 @@ interface Course {
 
     /** The errors, after the last step. */
     List<Finding> findings();
+
+    /** Nobody steps it any more. */
+    default void end() {}
 }

@@ -20,4 +20,9 @@ final class ForceCourse implements Course {
     public List<Finding> findings() {
         return ForceCheck.of(world.snapshot(), world.spec(), i -> true);
     }
+
+    @Override
+    public void end() {
+        world.close();
+    }
 }

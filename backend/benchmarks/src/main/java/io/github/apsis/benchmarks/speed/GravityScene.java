@@ -89,6 +89,11 @@ final class GravityScene implements SpeedScene {
     }
 
     @Override
+    public boolean usesThreads() {
+        return true;
+    }
+
+    @Override
     public void run(Bench bench) {
         for (int n : bench.choose(sizes.glimpse, sizes.brief, sizes.full)) {
             MassDisc disc = new MassDisc(n, RADIUS, softening);

@@ -32,6 +32,11 @@ final class Moonshot implements SpeedScene {
     }
 
     @Override
+    public boolean usesThreads() {
+        return true;
+    }
+
+    @Override
     public void run(Bench bench) {
         for (int n : bench.choose(new int[] {60}, new int[] {1000, 10_000}, new int[] {1000, 10_000, 20_000})) {
             Trial trial = bench.choose(
@@ -91,6 +96,11 @@ final class Moonshot implements SpeedScene {
             double deepest = Overlaps.of(now, world.spec().boundary()).deepest();
             findings.add(new Finding("overlap", deepest));
             return findings;
+        }
+
+        @Override
+        public void end() {
+            world.close();
         }
     }
 }

@@ -8,6 +8,7 @@ import io.github.apsis.benchmarks.speed.SpeedStudy.Length;
 /** S2: a pile that has had eight seconds to come to rest. */
 final class PileScene implements SpeedScene {
     private static final int[] FEW = {10, 25};
+    private static final int[] SOME = {10, 100, 1000, 2000};
     private static final int[] MANY = {10, 100, 1000, 5000};
     private static final int MOST_OF_OTHERS = 1000; // in a short run: 5000 take dyn4j and JBox2D two minutes each
 
@@ -24,7 +25,7 @@ final class PileScene implements SpeedScene {
 
     @Override
     public void run(Bench bench) {
-        for (int n : bench.choose(FEW, MANY, MANY)) {
+        for (int n : bench.choose(FEW, SOME, MANY)) {
             DiscScene scene = DiscScenes.pile(n);
             Trial settled = new Trial(n <= 100 ? 500 : 0, 1200, 300, 20, 240);
             Trial trial = bench.choose(new Trial(0, 60, 60, 20, 5), settled, settled);

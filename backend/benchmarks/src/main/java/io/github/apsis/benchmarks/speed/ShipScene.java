@@ -30,6 +30,11 @@ final class ShipScene implements SpeedScene {
     }
 
     @Override
+    public boolean usesThreads() {
+        return true;
+    }
+
+    @Override
     public void run(Bench bench) {
         int[] brief = {10, 100, 1000};
         for (int n : bench.choose(new int[] {10, 50}, brief, new int[] {10, 100, 1000, 10_000})) {
@@ -80,6 +85,11 @@ final class ShipScene implements SpeedScene {
                             "overlap",
                             Overlaps.of(world.snapshot(), world.spec().boundary())
                                     .deepest()));
+        }
+
+        @Override
+        public void end() {
+            world.close();
         }
     }
 }

@@ -51,7 +51,7 @@ final class SpeedPlots {
     private void draw(String scene, String jdk, List<SpeedRow> rows) throws IOException {
         var chart = new Chart(scene + ": cost against the number of bodies, JDK " + jdk, "bodies", "ms per step");
         Set<String> engines = new LinkedHashSet<>();
-        rows.forEach(row -> engines.add(row.engine()));
+        rows.forEach(row -> engines.add(row.contender()));
         int ours = 0;
         int peers = 0;
         for (String engine : engines) {
@@ -78,7 +78,7 @@ final class SpeedPlots {
         List<double[]> points = new ArrayList<>();
         Set<Integer> seen = new LinkedHashSet<>();
         for (SpeedRow row : rows) {
-            if (row.engine().equals(engine) && seen.add(row.n())) {
+            if (row.contender().equals(engine) && seen.add(row.n())) {
                 points.add(new double[] {row.n(), row.msPerStep()});
             }
         }

@@ -82,8 +82,9 @@ final class SpeedReport {
                 ```""");
         page.paragraph(
                 """
-                A run replaces the rows of its own JDK and scenes and keeps the others. The engines of a scene run one after the other \
-                in one JVM; ratios mean something within one run, the milliseconds of two days do not.""");
+                A run replaces the rows of its own JDK, scenes and `--threads` and keeps the others. The engines of a scene run one after the other \
+                in one JVM; ratios mean something within one run, the milliseconds of two days do not. In the tables below ratios \
+                and errors are those of the first JDK.""");
         page.paragraph(
                 """
                 - `ms_per_step`: CPU time of the stepping thread, measured for batches of steps as a whole; the median of the batches. \
@@ -136,12 +137,12 @@ final class SpeedReport {
         Set<Integer> sizes = new LinkedHashSet<>();
         Set<String> engines = new LinkedHashSet<>();
         rows.forEach(row -> sizes.add(row.n()));
-        rows.forEach(row -> engines.add(row.engine()));
+        rows.forEach(row -> engines.add(row.contender()));
         List<List<String>> lines = new ArrayList<>();
         for (int n : sizes) {
             for (String engine : engines) {
                 List<SpeedRow> here = rows.stream()
-                        .filter(row -> row.n() == n && row.engine().equals(engine))
+                        .filter(row -> row.n() == n && row.contender().equals(engine))
                         .toList();
                 if (!here.isEmpty()) {
                     lines.add(line(here, jdks, ours(rows, n)));
@@ -153,7 +154,7 @@ final class SpeedReport {
 
     private static List<SpeedRow> ours(List<SpeedRow> rows, int n) {
         return rows.stream()
-                .filter(row -> row.n() == n && row.engine().equals(OURS))
+                .filter(row -> row.n() == n && row.contender().equals(OURS))
                 .toList();
     }
 
@@ -161,7 +162,7 @@ final class SpeedReport {
     private static List<String> line(List<SpeedRow> here, List<String> jdks, List<SpeedRow> ours) {
         List<String> cells = new ArrayList<>();
         cells.add(String.valueOf(here.get(0).n()));
-        cells.add(here.get(0).engine());
+        cells.add(here.get(0).contender());
         String ratio = "–";
         for (String jdk : jdks) {
             SpeedRow row = first(here, jdk);
@@ -189,14 +190,18 @@ final class SpeedReport {
                 .orElse(null);
     }
 
-    /** Three digits, however small. */
+    /** Three digits, however small, and no exponent. */
     private static String digits(double ms) {
-        return ms >= 0.01 ? Cells.figure(ms) : String.format(Locale.ROOT, "%.5f", ms);
+        if (!(ms > 0) || ms >= 1) {
+            return Cells.figure(ms);
+        }
+        int zeros = (int) -Math.ceil(Math.log10(ms)); // behind the point
+        return String.format(Locale.ROOT, "%." + Math.max(3, zeros + 3) + "f", ms);
     }
 
     private static String growth(List<SpeedRow> rows, List<String> jdks) {
         List<String> parts = new ArrayList<>();
-        for (String engine : rows.stream().map(SpeedRow::engine).distinct().toList()) {
+        for (String engine : rows.stream().map(SpeedRow::contender).distinct().toList()) {
             for (String jdk : jdks) {
                 List<SpeedRow> of = rows.stream()
                         .filter(row -> row.jdkFeature().equals(jdk))

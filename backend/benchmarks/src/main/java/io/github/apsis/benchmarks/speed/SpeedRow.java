@@ -34,6 +34,11 @@ record SpeedRow(
         return jdk.replaceFirst("\\..*", "");
     }
 
+    /** The engine, and how many threads where there are several. */
+    String contender() {
+        return threads == 1 ? engine : engine + ", " + threads + " threads";
+    }
+
     String csv() {
         return Csv.line(
                 scene,

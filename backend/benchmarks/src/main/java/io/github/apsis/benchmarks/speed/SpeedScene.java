@@ -8,6 +8,11 @@ interface SpeedScene {
     /** One sentence for the page: what the scene is and what its errors measure. */
     String description();
 
+    /** Whether several threads can step its worlds. */
+    default boolean usesThreads() {
+        return false;
+    }
+
     /** Runs it in all sizes and engines. */
     void run(Bench bench);
 }

@@ -17,7 +17,7 @@ public final class SpeedStudy {
      * What to run.
      *
      * @param scenes their names; all where there are none
-     * @param threads that step a world
+     * @param threads that step a world; with more than one only the scenes that can use them are run
      */
     public record Options(Length length, List<String> scenes, int threads) {}
 
@@ -53,7 +53,12 @@ public final class SpeedStudy {
      * @throws IllegalArgumentException when there is no such scene, or the folder holds another table
      */
     public String run(@Nullable Path out) throws IOException {
-        List<SpeedScene> scenes = SpeedScenes.named(options.scenes());
+        List<SpeedScene> scenes = SpeedScenes.named(options.scenes()).stream()
+                .filter(scene -> options.threads() == 1 || scene.usesThreads())
+                .toList();
+        if (scenes.isEmpty()) {
+            throw new IllegalArgumentException("None of these scenes can be stepped by several threads.");
+        }
         SpeedTable before = out == null ? SpeedTable.empty() : SpeedTable.read(out.resolve("speed.csv"));
         List<SpeedRow> rows = new ArrayList<>();
         Bench bench = new Bench(options.length(), options.threads(), rows::add, progress);

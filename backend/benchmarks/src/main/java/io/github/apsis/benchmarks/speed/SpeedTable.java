@@ -9,8 +9,8 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * All rows of a folder. A run replaces the rows of its own JDK and scenes and keeps the others: so one table holds what two JDKs
- * measured, and a single scene can be measured anew.
+ * All rows of a folder. A run replaces the rows of its own JDK, scenes and number of threads and keeps the others: so one table
+ * holds what two JDKs measured, and a single scene can be measured anew.
  */
 final class SpeedTable {
     private final List<SpeedRow> rows;
@@ -47,12 +47,14 @@ final class SpeedTable {
     SpeedTable with(List<SpeedRow> fresh) {
         List<SpeedRow> all = new ArrayList<>(rows);
         all.removeIf(old -> fresh.stream()
-                .anyMatch(row ->
-                        row.scene().equals(old.scene()) && row.jdkFeature().equals(old.jdkFeature())));
+                .anyMatch(row -> row.scene().equals(old.scene())
+                        && row.threads() == old.threads()
+                        && row.jdkFeature().equals(old.jdkFeature())));
         all.addAll(fresh);
         List<String> order = SpeedScenes.names();
         all.sort(Comparator.comparingInt((SpeedRow row) -> order.indexOf(row.scene()))
-                .thenComparing(SpeedRow::jdkFeature));
+                .thenComparing(SpeedRow::jdkFeature)
+                .thenComparing(SpeedRow::threads));
         return new SpeedTable(all);
     }
 

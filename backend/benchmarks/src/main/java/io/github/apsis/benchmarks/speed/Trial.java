@@ -26,7 +26,9 @@ record Trial(int warmUpMillis, int skipped, int steps, int batch, int mostSecond
 
     Measured run(Supplier<? extends Course> courses, int threads) {
         if (warmUpMillis > 0) {
-            CpuTime.warmUp(courses.get()::step, warmUpMillis * NANOS_PER_MILLI);
+            Course discarded = courses.get();
+            CpuTime.warmUp(discarded::step, warmUpMillis * NANOS_PER_MILLI);
+            discarded.end();
         }
         return run(courses.get(), threads);
     }
@@ -36,7 +38,9 @@ record Trial(int warmUpMillis, int skipped, int steps, int batch, int mostSecond
         steps(course, skipped, unmeasured, mostSeconds * NANOS_PER_SECOND);
         StepMeter meter = new StepMeter(threads);
         steps(course, steps, meter, mostSeconds * NANOS_PER_SECOND - unmeasured.cpuNanos());
-        return new Measured(meter.cost(), course.findings());
+        Measured measured = new Measured(meter.cost(), course.findings());
+        course.end();
+        return measured;
     }
 
     private void steps(Course course, int count, StepMeter meter, long mostNanos) {

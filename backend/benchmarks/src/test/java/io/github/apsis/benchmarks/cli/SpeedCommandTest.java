@@ -61,6 +61,21 @@ class SpeedCommandTest {
     }
 
     @Test
+    void several_threads_step_the_scenes_that_can_use_them() {
+        assertThat(run("speed", "--glimpse", "--scene", "s3-direct", "--scene", "frames", "--threads", "2"))
+                .isEqualTo(OK);
+        assertThat(out.toString()).contains("s3-direct,apsis,100,2,").doesNotContain("frames");
+
+        assertThat(run("speed", "--glimpse", "--scene", "frames", "--threads", "2"))
+                .isEqualTo(USAGE);
+        assertThat(run("speed", "--threads", "0")).isEqualTo(USAGE);
+        assertThat(err.toString())
+                .contains(
+                        "None of these scenes can be stepped by several threads.",
+                        "--threads must be 1 or more, was 0");
+    }
+
+    @Test
     void the_help_says_what_comes_out() {
         assertThat(run("speed", "--help")).isEqualTo(OK);
         assertThat(out.toString()).contains("speed.csv", "--short", "--scene");

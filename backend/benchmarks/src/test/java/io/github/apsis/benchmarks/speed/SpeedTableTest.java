@@ -39,6 +39,16 @@ class SpeedTableTest {
     }
 
     @Test
+    void one_thread_and_two_stand_side_by_side() {
+        SpeedRow two = new SpeedRow("s3-tree", "apsis", 1000, 2, "25.0.3", 1, 2, 0, "force-rms", 1e-6);
+
+        SpeedTable table =
+                SpeedTable.empty().with(List.of(row("s3-tree", "25.0.3", 2))).with(List.of(two));
+
+        assertThat(table.rows()).extracting(SpeedRow::contender).containsExactly("apsis", "apsis, 2 threads");
+    }
+
+    @Test
     void another_table_is_not_overwritten() throws IOException {
         Path file = Files.writeString(folder.resolve("speed.csv"), "distance,time\n1,2\n");
 
