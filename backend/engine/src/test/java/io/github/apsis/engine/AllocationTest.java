@@ -42,11 +42,13 @@ class AllocationTest {
             long[] threads = threadsOfTheWorld();
             sum(THREADS.getThreadAllocatedBytes(threads)); // the first look loads classes
 
-            long before = sum(THREADS.getThreadAllocatedBytes(threads));
-            for (int tick = 0; tick < 130; tick++) {
-                world.step();
+            // The least of three rounds: a class that is loaded late shows in one, an object that a tick leaves in all.
+            long bytes = Long.MAX_VALUE;
+            for (int round = 0; round < 3; round++) {
+                long before = sum(THREADS.getThreadAllocatedBytes(threads));
+                run(world, 130);
+                bytes = Math.min(bytes, sum(THREADS.getThreadAllocatedBytes(threads)) - before);
             }
-            long bytes = sum(THREADS.getThreadAllocatedBytes(threads)) - before;
 
             // The look itself leaves two short arrays behind; a tick that left one object would show 130 of them.
             assertThat(bytes).isLessThan(1000);

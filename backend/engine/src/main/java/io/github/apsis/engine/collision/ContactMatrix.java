@@ -26,7 +26,7 @@ final class ContactMatrix {
     private int[] b = new int[16];
     private double[] hx = new double[16]; // n / √A_kk
     private double[] hy = new double[16];
-    private double[] root = new double[16]; // √A_kk
+    private double[] scale = new double[16]; // 1 / √A_kk
 
     private double[] inverseMass = new double[17]; // of bodies; the last is that of all walls
     private double[] velocity = new double[34]; // x, y of each body: what impulses give it
@@ -41,7 +41,7 @@ final class ContactMatrix {
             b = new int[capacity];
             hx = new double[capacity];
             hy = new double[capacity];
-            root = new double[capacity];
+            scale = new double[capacity];
         }
         if (bodies >= inverseMass.length) {
             int capacity = Math.max(bodies + 1, 2 * inverseMass.length);
@@ -60,15 +60,16 @@ final class ContactMatrix {
         inverseMass[bodies] = 0;
     }
 
-    /** Adds a contact; a negative second partner is a wall. Returns its number. */
-    int add(int first, int second, double nx, double ny) {
+    /** Adds a contact; a negative second partner is a wall. Returns √A_kk: an impulse times this is as scaled. */
+    double add(int first, int second, double nx, double ny) {
         int k = size++;
         a[k] = first;
         b[k] = second < 0 ? bodies : second;
-        root[k] = Math.sqrt(inverseMass[first] + inverseMass[b[k]]);
-        hx[k] = nx / root[k];
-        hy[k] = ny / root[k];
-        return k;
+        double root = Math.sqrt(inverseMass[first] + inverseMass[b[k]]);
+        scale[k] = 1 / root;
+        hx[k] = nx / root;
+        hy[k] = ny / root;
+        return root;
     }
 
     /**
@@ -108,13 +109,13 @@ final class ContactMatrix {
     double norm() {
         Arrays.fill(velocity, 0, 2 * bodies + 2, 0);
         for (int k = 0; k < size; k++) {
-            velocity[2 * a[k]] += 1 / root[k];
-            velocity[2 * b[k]] += 1 / root[k];
+            velocity[2 * a[k]] += scale[k];
+            velocity[2 * b[k]] += scale[k];
         }
         double largest = 0;
         for (int k = 0; k < size; k++) {
             double row = inverseMass[a[k]] * velocity[2 * a[k]] + inverseMass[b[k]] * velocity[2 * b[k]];
-            largest = Math.max(largest, row / root[k]);
+            largest = Math.max(largest, scale[k] * row);
         }
         return largest;
     }
@@ -132,9 +133,9 @@ final class ContactMatrix {
         return b[k] == bodies ? -1 : b[k];
     }
 
-    /** √A_kk: an impulse times this, or a speed over it, is as scaled. */
-    double root(int k) {
-        return root[k];
+    /** 1 / √A_kk: a speed times this is as scaled. */
+    double scale(int k) {
+        return scale[k];
     }
 
     /** The unit normal over √A_kk. */

@@ -20,7 +20,7 @@ final class ImpulseSolver {
     private static final double PROPORTION = 1;
 
     /** Impulses that miss by no more than so many tolerances stay as they are: rounding alone would have them found anew. */
-    private static final double GOOD_ENOUGH = 4;
+    static final double GOOD_ENOUGH = 4;
 
     /** Squares of such speeds are still numbers; what is faster is left to the walls. */
     private static final double FASTEST = 1e100;
@@ -62,8 +62,8 @@ final class ImpulseSolver {
      * @param guess of its impulse, 0 or more
      */
     void add(int first, int second, double nx, double ny, double guess) {
-        int k = matrix.add(first, second, nx, ny);
-        impulse[k] = guess * matrix.root(k);
+        int k = matrix.size();
+        impulse[k] = guess * matrix.add(first, second, nx, ny);
         applied[k] = 0;
     }
 
@@ -78,7 +78,7 @@ final class ImpulseSolver {
 
     /** Tells the separating speed that a contact has, beyond what it should have, with the impulses that were pushed so far. */
     void measured(int k, double speed) {
-        gradient[k] = speed / matrix.root(k);
+        gradient[k] = speed * matrix.scale(k);
     }
 
     /**
@@ -100,7 +100,7 @@ final class ImpulseSolver {
         double allowed = Math.max(rounding, tolerance * most);
         longest = 1.8 / matrix.norm();
         assess();
-        if (error <= goodEnough * allowed || most > FASTEST) {
+        if (error <= Math.max(GOOD_ENOUGH * rounding, goodEnough * tolerance * most) || most > FASTEST) {
             return 0;
         }
         restart();
@@ -131,7 +131,7 @@ final class ImpulseSolver {
         double most = 0;
         for (int k = 0; k < size(); k++) {
             lack[k] = gradient[k] - lack[k];
-            most = Math.max(most, -lack[k] * matrix.root(k));
+            most = Math.max(most, -lack[k] / matrix.scale(k));
         }
         return most;
     }
@@ -150,10 +150,10 @@ final class ImpulseSolver {
         double w = gradient[k];
         if (impulse[k] > 0) {
             pushing += w * Math.min(impulse[k] / longest, w);
-            error = Math.max(error, Math.abs(w) * matrix.root(k));
+            error = Math.max(error, Math.abs(w) / matrix.scale(k));
         } else if (w < 0) {
             waiting += w * w;
-            error = Math.max(error, -w * matrix.root(k));
+            error = Math.max(error, -w / matrix.scale(k));
         }
     }
 
@@ -270,7 +270,7 @@ final class ImpulseSolver {
 
     /** The impulse of the k-th contact that was added. */
     double impulse(int k) {
-        return impulse[k] / matrix.root(k);
+        return impulse[k] * matrix.scale(k);
     }
 
     /** λ · A λ: twice the kinetic energy that the impulses alone would give. */

@@ -21,10 +21,12 @@ final class RestingContacts {
     private static final double TOLERANCE = 1e-13;
 
     /**
-     * Impulses that hold all but so many tolerances stay as they are, as long as they stay the same: what they miss is then taken
-     * off at the end of the tick, by other impulses that stay the same, and a heap at rest needs no rounds.
+     * In a heap of so many contacts and more, impulses that hold all but so many tolerances stay as they are: what they miss is
+     * taken off at the end of the tick, by other impulses that stay the same, and a large heap at rest needs few rounds.
      */
-    private static final double GOOD_ENOUGH = 64;
+    private static final int LARGE = 2000;
+
+    private static final double GOOD_ENOUGH_IN_LARGE = 64;
 
     /** What they do not find, the next tick does, which goes on from there: so a large heap is solved over several ticks. */
     private static final int MOST_ROUNDS = 200;
@@ -113,7 +115,7 @@ final class RestingContacts {
         boolean changed = true;
         for (int look = 0; look < LOOKS && changed; look++) {
             double rounding = measureGaps(bodies, dt);
-            int rounds = solver.solve(TOLERANCE * solver.size(), rounding, mostRounds(solver.size()), GOOD_ENOUGH);
+            int rounds = solver.solve(TOLERANCE * solver.size(), rounding, mostRounds(solver.size()), goodEnough());
             changed = rounds > 0;
             if (changed) {
                 pushes.pushHolding(bodies, dt);
@@ -187,6 +189,10 @@ final class RestingContacts {
         for (int s = 0; s < solver.size(); s++) {
             touching.setSettling(settled[s], solver.impulse(s));
         }
+    }
+
+    private double goodEnough() {
+        return solver.size() < LARGE ? ImpulseSolver.GOOD_ENOUGH : GOOD_ENOUGH_IN_LARGE;
     }
 
     private static int mostRounds(int contacts) {
