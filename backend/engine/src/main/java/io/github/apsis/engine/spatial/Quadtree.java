@@ -47,10 +47,6 @@ public final class Quadtree {
     private int[] end = new int[16];
     private int[] leafFirst = new int[16]; // first for a leaf, −1 for an inner node: a query looks at one number there
 
-    private int[] parent = new int[0]; // links for those who enlarge boxes, made when first needed
-    private int[] leaf = new int[0];
-    private boolean linked;
-
     private int[] found = new int[16];
 
     public Quadtree() {
@@ -74,7 +70,6 @@ public final class Quadtree {
     public void begin(int items) {
         count = items;
         nodes = 0;
-        linked = false;
         if (items > minX.length) {
             int capacity = Math.max(items, 2 * minX.length);
             boolean points = maxX == minX;
@@ -299,49 +294,6 @@ public final class Quadtree {
         first = Arrays.copyOf(first, capacity);
         end = Arrays.copyOf(end, capacity);
         leafFirst = Arrays.copyOf(leafFirst, capacity);
-    }
-
-    /** Makes the box of an item larger, so that it holds this one too; the tree gets looser where much is enlarged. */
-    public void enlarge(int item, double boxMinX, double boxMinY, double boxMaxX, double boxMaxY) {
-        if (!linked) {
-            link();
-        }
-        minX[item] = Math.min(minX[item], boxMinX);
-        minY[item] = Math.min(minY[item], boxMinY);
-        maxX[item] = Math.max(maxX[item], boxMaxX);
-        maxY[item] = Math.max(maxY[item], boxMaxY);
-        for (int node = leaf[item]; node >= 0 && !holds(node, item); node = parent[node]) {
-            nodeMinX[node] = Math.min(nodeMinX[node], minX[item]);
-            nodeMinY[node] = Math.min(nodeMinY[node], minY[item]);
-            nodeMaxX[node] = Math.max(nodeMaxX[node], maxX[item]);
-            nodeMaxY[node] = Math.max(nodeMaxY[node], maxY[item]);
-        }
-    }
-
-    private boolean holds(int node, int item) {
-        return nodeMinX[node] <= minX[item]
-                && nodeMinY[node] <= minY[item]
-                && nodeMaxX[node] >= maxX[item]
-                && nodeMaxY[node] >= maxY[item];
-    }
-
-    private void link() {
-        if (nodes > parent.length) {
-            parent = new int[past.length];
-        }
-        if (count > leaf.length) {
-            leaf = new int[minX.length];
-        }
-        parent[0] = -1;
-        for (int node = 0; node < nodes; node++) {
-            for (int child = node + 1; child < past[node]; child = past[child]) {
-                parent[child] = node;
-            }
-            for (int p = leafFirst[node]; p >= 0 && p < end[node]; p++) {
-                leaf[item(p)] = node;
-            }
-        }
-        linked = true;
     }
 
     /**
