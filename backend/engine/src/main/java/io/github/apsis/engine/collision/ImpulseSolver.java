@@ -13,7 +13,7 @@ import io.github.apsis.engine.body.Bodies;
  * separating speeds is the change of kinetic energy. The method is MPRGP (Dostál 2009, "Optimal Quadratic Programming
  * Algorithms", chapter 5): conjugate gradients on the contacts that push, projected steps where one begins or ends to. It
  * needs about the square root of the rounds of sequential impulses, and about as many as there are heavy bodies where these lie
- * on light ones.
+ * on light ones. A heap that is to come to rest needs more than that: {@link HeapSolver}.
  */
 final class ImpulseSolver {
     /** Of the gradient at contacts that push, against that at those which might begin to: Dostál's Γ. */
@@ -25,8 +25,17 @@ final class ImpulseSolver {
     /** Squares of such speeds are still numbers; what is faster is left to the walls. */
     private static final double FASTEST = 1e100;
 
+    /** What is solved directly may miss so much of the most that a contact lacks. */
+    private static final double DIRECT_TOLERANCE = 1e-7;
+
+    /** So many contacts and more are solved directly after few rounds, since a factor costs less than the other rounds. */
+    private static final int MANY = 500;
+
+    private static final int FEW_ROUNDS = 20;
+
     // All scaled as the matrix is.
     private final ContactMatrix matrix = new ContactMatrix();
+    private final HeapSolver heap = new HeapSolver();
     private double[] lack = new double[16]; // c
     private double[] applied = new double[16]; // the impulses that the bodies already have
     private double[] impulse = new double[16]; // λ
@@ -36,6 +45,7 @@ final class ImpulseSolver {
 
     // Of the present impulses.
     private double longest; // step of steepest descent
+    private double allowed; // error
     private double error; // the largest speed by which a contact misses what it should have
     private double pushing; // how wrong contacts are that push, and
     private double waiting; // those that should begin to
@@ -91,18 +101,38 @@ final class ImpulseSolver {
      * @return how many rounds it took; 0 when the impulses were right
      */
     int solve(double tolerance, double rounding, int mostRounds) {
-        return solve(tolerance, rounding, mostRounds, GOOD_ENOUGH);
-    }
-
-    /** The same; impulses that miss by no more than so many tolerances stay as they are. */
-    int solve(double tolerance, double rounding, int mostRounds, double goodEnough) {
-        double most = separate();
-        double allowed = Math.max(rounding, tolerance * most);
-        longest = 1.8 / matrix.norm();
-        assess();
-        if (error <= Math.max(GOOD_ENOUGH * rounding, goodEnough * tolerance * most) || most > FASTEST) {
+        if (areRight(tolerance, rounding)) {
             return 0;
         }
+        int rounds = descend(mostRounds);
+        limitEnergy();
+        return rounds;
+    }
+
+    /** The same for a heap that is to come to rest: what rounds do not find is found directly. */
+    int solveDirectly(Bodies bodies, double tolerance, double rounding, int mostRounds) {
+        boolean many = size() >= MANY;
+        if (areRight(many ? Math.max(tolerance, DIRECT_TOLERANCE) : tolerance, rounding)) {
+            return 0;
+        }
+        int rounds = descend(many ? FEW_ROUNDS : mostRounds);
+        if (error > allowed && !improve(bodies)) {
+            rounds += descend(mostRounds - rounds);
+        }
+        limitEnergy();
+        return rounds;
+    }
+
+    /** Measures the present impulses; returns whether they may stay. */
+    private boolean areRight(double tolerance, double rounding) {
+        double most = separate();
+        allowed = Math.max(rounding, tolerance * most);
+        longest = 1.8 / matrix.norm();
+        assess();
+        return error <= GOOD_ENOUGH * allowed || most > FASTEST;
+    }
+
+    private int descend(int mostRounds) {
         restart();
         int rounds = 0;
         while (error > allowed && rounds < mostRounds) {
@@ -112,8 +142,38 @@ final class ImpulseSolver {
                 break;
             }
         }
-        limitEnergy();
         return rounds;
+    }
+
+    /** Returns whether it has found better impulses. */
+    private boolean improve(Bodies bodies) {
+        double most = 0;
+        double leastScale = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < size(); k++) {
+            most = Math.max(most, -lack[k]);
+            leastScale = Math.min(leastScale, matrix.scale(k));
+        }
+        if (most == 0) {
+            return false;
+        }
+        double before = error;
+        System.arraycopy(impulse, 0, along, 0, size());
+        heap.improve(matrix, bodies, lack, most, Math.max(leastScale * allowed, DIRECT_TOLERANCE * most), impulse);
+        measureAgain();
+        boolean better = error < before;
+        if (!better) {
+            System.arraycopy(along, 0, impulse, 0, size());
+            measureAgain();
+        }
+        return better;
+    }
+
+    private void measureAgain() {
+        matrix.multiply(impulse, gradient);
+        for (int k = 0; k < size(); k++) {
+            gradient[k] += lack[k];
+        }
+        assess();
     }
 
     /** The same from speeds that were measured without impulses. */
@@ -123,6 +183,15 @@ final class ImpulseSolver {
             gradient[k] += change[k];
         }
         return solve(tolerance, 0, mostRounds);
+    }
+
+    /** The same for a heap that is to come to rest. */
+    int solveFromDirectly(Bodies bodies, double tolerance, int mostRounds) {
+        matrix.multiply(impulse, change);
+        for (int k = 0; k < size(); k++) {
+            gradient[k] += change[k];
+        }
+        return solveDirectly(bodies, tolerance, 0, mostRounds);
     }
 
     /** c = w − A λ, and the most that a contact misses without impulses. */
@@ -215,11 +284,7 @@ final class ImpulseSolver {
                 impulse[k] = Math.max(0, impulse[k] - longest * (gradient[k] - feasible * change[k]));
             }
         }
-        matrix.multiply(impulse, gradient);
-        for (int k = 0; k < size(); k++) {
-            gradient[k] += lack[k];
-        }
-        assess();
+        measureAgain();
         restart();
     }
 

@@ -24,6 +24,9 @@ final class Parting {
 
     private static final double ALLOWED_IN_LARGE = 1e-2;
 
+    /** Less than this share of the radii is not worth a factor. */
+    private static final double WORTH = 1e-6;
+
     /** Of an overlap in one tick. */
     private static final double SHARE = 0.2;
 
@@ -42,10 +45,11 @@ final class Parting {
         this.contact = contact;
     }
 
-    /** Parts all pairs as far as a tick allows. */
-    void part(Bodies bodies, double dt, int mostRounds) {
+    /** Parts all pairs as far as a tick allows; a quiet heap stays so when nobody is pressed. */
+    void part(Bodies bodies, double dt, int mostRounds, boolean isQuiet) {
         allowed = touching.size() < LARGE ? ALLOWED : ALLOWED_IN_LARGE;
-        if (!overlapping(bodies, dt)) {
+        double worst = worst(bodies, dt);
+        if (worst == 0) {
             touching.clearParting();
             return;
         }
@@ -58,7 +62,11 @@ final class Parting {
             double beyond = contact.gap + allowed(bodies, a, b, dt);
             solver.measured(k, beyond < 0 ? SHARE * beyond : Math.max(0, contact.gap));
         }
-        solver.solveFrom(TOLERANCE, mostRounds);
+        if (isQuiet && worst > WORTH) {
+            solver.solveFromDirectly(bodies, TOLERANCE, mostRounds);
+        } else {
+            solver.solveFrom(TOLERANCE, mostRounds);
+        }
         for (int k = 0; k < touching.size(); k++) {
             touching.setParting(k, solver.impulse(k));
         }
@@ -66,16 +74,17 @@ final class Parting {
         move(bodies, share(bodies, dt));
     }
 
-    private boolean overlapping(Bodies bodies, double dt) {
+    /** The most by which a pair lies deeper than allowed, as a share of its radii. */
+    private double worst(Bodies bodies, double dt) {
+        double worst = 0;
         for (int k = 0; k < touching.size(); k++) {
             int a = touching.first(k);
             int b = touching.second(k);
             contact.fillNow(bodies, a, b);
-            if (contact.gap < -allowed(bodies, a, b, dt)) {
-                return true;
-            }
+            double size = bodies.radius(a) + (b < 0 ? 0 : bodies.radius(b));
+            worst = Math.max(worst, -(contact.gap + allowed(bodies, a, b, dt)) / size);
         }
-        return false;
+        return worst;
     }
 
     private double allowed(Bodies bodies, int a, int b, double dt) {

@@ -20,22 +20,11 @@ final class RestingContacts {
     /** What an impulse may miss in one tick, as a share of what it takes off, times the contacts; the next tick goes on from there. */
     private static final double TOLERANCE = 1e-13;
 
-    /**
-     * In a heap of so many contacts and more, impulses that hold all but so many tolerances stay as they are: what they miss is
-     * taken off at the end of the tick, by other impulses that stay the same, and a large heap at rest needs few rounds.
-     */
-    private static final int LARGE = 2000;
-
-    private static final double GOOD_ENOUGH_IN_LARGE = 64;
-
     /** What they do not find, the next tick does, which goes on from there: so a large heap is solved over several ticks. */
     private static final int MOST_ROUNDS = 200;
 
     /** Without rounding conjugate gradients would need one round for each contact that pushes, and as many for each that changes. */
     private static final int ROUNDS_PER_CONTACT = 20;
-
-    /** How far a guess may move a pair, as a share of its radii. */
-    private static final double FARTHEST_GUESS = 0.1;
 
     /** The cosine of the angle by which a normal may be turned. */
     private static final double NEARLY = 0.9;
@@ -49,6 +38,9 @@ final class RestingContacts {
     /** Of the speed of a heap as a whole: rocks that go round a sun together need not be held better. */
     private static final double FLYING = 1e-9;
 
+    /** A heap is quiet when its bodies move past each other no faster than this share of what forces give them in a tick. */
+    private static final double QUIET = 0.3;
+
     /** Eight units in the last place of a number. */
     private static final double ROUNDING = 0x1p-49;
 
@@ -56,8 +48,10 @@ final class RestingContacts {
     private final ContactGeometry contact;
     private final Approach approach;
     private final Parting parting;
+    private final FirstGuess guess;
     private final ImpulseSolver solver = new ImpulseSolver();
     private final ContactPushes pushes = new ContactPushes(solver);
+    private boolean isQuiet; // in this tick
     private int[] settled = new int[16]; // the contacts that are closed at the end of the tick
 
     RestingContacts(Touching touching, Approach approach, @Nullable WallSet walls, @Nullable Period period) {
@@ -65,6 +59,7 @@ final class RestingContacts {
         this.approach = approach;
         this.contact = new ContactGeometry(walls, period);
         this.parting = new Parting(touching, contact);
+        this.guess = new FirstGuess(touching);
     }
 
     /** Keeps every pair from ending the tick deeper in each other. */
@@ -75,7 +70,10 @@ final class RestingContacts {
         solver.begin(touching.size(), bodies);
         for (int k = 0; k < touching.size(); k++) {
             straighten(bodies, k, dt);
-            add(k, guess(bodies, k, dt));
+        }
+        guess.fill(bodies, dt);
+        for (int k = 0; k < touching.size(); k++) {
+            add(k, guess.impulse(k));
         }
         holdAll(bodies, dt);
         for (int k = 0; k < touching.size(); k++) {
@@ -101,7 +99,7 @@ final class RestingContacts {
     /** Parts old overlaps. */
     void part(Bodies bodies, double dt) {
         if (touching.size() > 0) {
-            parting.part(bodies, dt, mostRounds(touching.size()));
+            parting.part(bodies, dt, mostRounds(touching.size()), isQuiet);
         }
     }
 
@@ -112,10 +110,11 @@ final class RestingContacts {
     private void holdAll(Bodies bodies, double dt) {
         pushes.begin();
         pushes.pushHolding(bodies, dt);
+        isQuiet = isQuiet(bodies, dt);
         boolean changed = true;
         for (int look = 0; look < LOOKS && changed; look++) {
             double rounding = measureGaps(bodies, dt);
-            int rounds = solver.solve(TOLERANCE * solver.size(), rounding, mostRounds(solver.size()), goodEnough());
+            int rounds = solve(bodies, rounding);
             changed = rounds > 0;
             if (changed) {
                 pushes.pushHolding(bodies, dt);
@@ -124,15 +123,6 @@ final class RestingContacts {
         if (pushes.didWork(NO_WORK)) {
             holdFlat(bodies, dt);
         }
-    }
-
-    /** What held a contact in the last tick, unless that stopped a blow: it would throw the bodies out of each other's sight. */
-    private double guess(Bodies bodies, int k, double dt) {
-        int a = touching.first(k);
-        int b = touching.second(k);
-        double moves = touching.holding(k) * dt * (bodies.inverseMass(a) + (b < 0 ? 0 : bodies.inverseMass(b)));
-        double size = bodies.radius(a) + (b < 0 ? 0 : bodies.radius(b));
-        return moves <= FARTHEST_GUESS * size ? touching.holding(k) : 0;
     }
 
     /**
@@ -167,7 +157,7 @@ final class RestingContacts {
             solver.measured(k, separating + Math.max(0, touching.firstGap(k)) / dt);
             fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
         }
-        if (solver.solve(TOLERANCE * solver.size(), ROUNDING * fastest, mostRounds(solver.size())) > 0) {
+        if (solve(bodies, ROUNDING * fastest) > 0) {
             pushes.pushHolding(bodies, dt);
         }
     }
@@ -180,7 +170,7 @@ final class RestingContacts {
         gather(bodies);
         pushes.pushSettling(bodies);
         double rounding = measureSpeeds(bodies);
-        if (solver.solve(TOLERANCE * solver.size(), rounding, mostRounds(solver.size())) > 0) {
+        if (solve(bodies, rounding) > 0) {
             pushes.pushSettling(bodies);
         }
         for (int k = 0; k < touching.size(); k++) {
@@ -191,8 +181,25 @@ final class RestingContacts {
         }
     }
 
-    private double goodEnough() {
-        return solver.size() < LARGE ? ImpulseSolver.GOOD_ENOUGH : GOOD_ENOUGH_IN_LARGE;
+    private int solve(Bodies bodies, double rounding) {
+        double tolerance = TOLERANCE * solver.size();
+        int most = mostRounds(solver.size());
+        return isQuiet
+                ? solver.solveDirectly(bodies, tolerance, rounding, most)
+                : solver.solve(tolerance, rounding, most);
+    }
+
+    /** While a heap still falls, each tick asks for other impulses, and rounds that leave some of them out calm it sooner. */
+    private boolean isQuiet(Bodies bodies, double dt) {
+        double moving = 0;
+        double falling = 0;
+        for (int k = 0; k < touching.size(); k++) {
+            int a = touching.first(k);
+            int b = touching.second(k);
+            moving += moving(bodies, a, b);
+            falling += Paths.acceleration(bodies, a, b) * dt;
+        }
+        return moving <= QUIET * falling;
     }
 
     private static int mostRounds(int contacts) {

@@ -51,6 +51,30 @@ class RestingContactsTest {
         }
     }
 
+    /** What one contact at its foot bears would throw a circle by half its size in a tick, were it alone. */
+    @Test
+    void a_shaft_of_three_hundred_in_sixty_layers_stays_at_rest_under_its_weight() {
+        World world = new World(WorldSpec.builder()
+                .law(new UniformField(0, -10 * FIELD))
+                .contacts(0.2)
+                .walls(new Aabb(0, 0, 11, 400), 0.2)
+                .build());
+        for (int i = 0; i < 300; i++) {
+            int layer = i / 5;
+            world.add(BodyDef.asteroid(1 + 2 * (i % 5) + layer % 2, 1 + Math.sqrt(3) * layer, 1, 1));
+        }
+
+        run(world, 300);
+
+        WorldSnapshot now = world.snapshot();
+        for (int i = 0; i < 300; i++) {
+            // What parts overlaps leaves half a percent of the radii in a heap that is pressed, in each of sixty
+            // layers.
+            assertThat(now.y(i)).isCloseTo(1 + Math.sqrt(3) * (i / 5), within(0.03));
+            assertThat(Math.abs(now.vy(i))).isLessThan(1e-5); // of 0.7 that it would fall in a tick
+        }
+    }
+
     @Test
     void two_planets_that_pull_each_other_lie_together_without_trembling() {
         World world = new World(WorldSpec.builder().gravity(1).contacts(0.8).build());
