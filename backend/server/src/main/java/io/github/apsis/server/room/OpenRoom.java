@@ -51,6 +51,11 @@ public final class OpenRoom {
         return life.room.bodies();
     }
 
+    /** How its ships have fared since it began. */
+    public ShipTally ships() {
+        return life.room.ships();
+    }
+
     /** How the clock is doing. */
     public Pace pace() {
         return life.meter.latest();

@@ -54,6 +54,7 @@ public final class Room {
     private final Selections selections = new Selections();
     private final Appearances appearances = new Appearances();
     private final ConservationMeter conservation = new ConservationMeter();
+    private final Encounters encounters = new Encounters();
     private final CommandQueue<Runnable> commands = new CommandQueue<>(QUEUE_CAPACITY);
     private @Nullable WorldSnapshot now;
     private int departures; // of the world's, those that are done with
@@ -72,7 +73,8 @@ public final class Room {
         this.laws = spec.scene().spec(spec.seed());
         this.world = new World(laws);
         this.randomBodies = new RandomBodies(spec.scene().palette(), laws, spec.seed());
-        spec.scene().bodies(spec.seed()).forEach(body -> wear(world.add(body.def()), body));
+        world.onBounce(encounters);
+        spec.scene().bodies(spec.seed()).forEach(body -> welcome(world.add(body.def()), body));
     }
 
     /** Queues a request; the answer comes on the tick thread, or at once on this one when the room cannot take it. */
@@ -97,8 +99,10 @@ public final class Room {
     /** One tick: what has arrived, then physics, then what is due to be seen. */
     void tick() {
         commands.drain(MOST_COMMANDS_PER_TICK, Runnable::run);
+        encounters.begin(world.tick() + 1);
         world.step();
         now = null;
+        encounters.end();
         forgetDeparted();
         bodies = world.count();
         double share = speed.getAsDouble();
@@ -136,6 +140,11 @@ public final class Room {
     /** How many there were after the last tick. Any thread. */
     int bodies() {
         return bodies;
+    }
+
+    /** How its ships have fared. Any thread. */
+    ShipTally ships() {
+        return encounters.tally();
     }
 
     long worldTick() {
@@ -227,13 +236,14 @@ public final class Room {
     private Outcome add(SceneBody body) {
         CommandResult result = world.apply(new Command.AddBody(body.def()));
         if (result instanceof CommandResult.Accepted accepted) {
-            wear(accepted.body(), body);
+            welcome(accepted.body(), body);
             bodiesChanged();
         }
         return outcome(result);
     }
 
-    private void wear(BodyId id, SceneBody body) {
+    private void welcome(BodyId id, SceneBody body) {
+        encounters.add(id, body.def().kind());
         if (body.look() != null) {
             appearances.put(id, new Appearance(body.look(), world.time()));
         }
@@ -250,6 +260,7 @@ public final class Room {
     private void forget(BodyId body) {
         selections.forget(body);
         appearances.forget(body);
+        encounters.remove(body);
         bodiesChanged();
     }
 

@@ -64,5 +64,22 @@ class RoomMetrics implements MeterBinder {
                 .description("bodies in the room")
                 .tag("room", id)
                 .register(metrics);
+        bindShips(room, metrics);
+    }
+
+    private static void bindShips(OpenRoom room, MeterRegistry metrics) {
+        String id = room.spec().id();
+        FunctionCounter.builder("apsis.ship.collisions", room, r -> r.ships().collisions())
+                .description("ships that ran into another body, two ships into each other once")
+                .tag("room", id)
+                .register(metrics);
+        FunctionCounter.builder("apsis.ship.minutes", room, r -> r.ships().shipMinutes())
+                .description("time that all ships together have flown, minutes of the room's clock")
+                .tag("room", id)
+                .register(metrics);
+        Gauge.builder("apsis.ship.collisions.per.minute", room, r -> r.ships().collisionsPerShipMinute())
+                .description("collisions per ship-minute since the room began")
+                .tag("room", id)
+                .register(metrics);
     }
 }
