@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { type FakeSocket, fakeSockets } from '../connection/FakeSocket';
 import type { BodyState } from '../protocol/frame';
-import { asteroid, bodyId, planet, ship } from '../world/testFrames';
+import { asteroid, bodyId, planet, ship, shipReading } from '../world/testFrames';
 import { RoomClient } from './RoomClient';
 
 const golden = join(import.meta.dirname, '../../../docs/protocol/messages');
@@ -90,6 +90,38 @@ describe('selecting', () => {
     shows(10, ship(2));
 
     expect(client.world.selection.ids()).toEqual([]);
+  });
+});
+
+describe('the ship selected last', () => {
+  it('is_shown_while_it_is_that', () => {
+    shows(5, ship(1), ship(2));
+    client.select(bodyId(1), false);
+    server().message('/user/queue/ship', shipReading(1));
+    expect(client.world.mainShip()).toMatchObject({ id: 1, course: { x: 84, y: 0 } });
+
+    client.select(bodyId(2), true);
+    expect(client.world.mainShip()).toBeNull();
+  });
+
+  it('is_forgotten_when_it_no_longer_exists', () => {
+    shows(5, ship(1));
+    client.select(bodyId(1), false);
+    server().message('/user/queue/ship', shipReading(1));
+    shows(10, ship(2));
+
+    expect(client.world.ship.current()).toBeNull();
+  });
+
+  it('is_asked_for_anew_after_a_reconnect', async () => {
+    shows(5, ship(1));
+    client.select(bodyId(1), false);
+    server().message('/user/queue/ship', shipReading(1));
+    server().fail();
+    await accept();
+
+    expect(client.world.mainShip()).toBeNull();
+    expect(server().subscription('/user/queue/ship')).toBeDefined();
   });
 });
 

@@ -38,6 +38,7 @@ export class RoomClient {
         onRoom: (room) => this.#enter(room),
         onFrame: (frame, atMs) => this.#show(frame, atMs),
         onDiagnostics: (diagnostics) => this.world.history.add(diagnostics),
+        onShip: (ship) => this.world.ship.set(ship),
         onReply: (reply) => this.#answer(reply),
         onProblem: (problem) => this.#complain(problem),
       },
@@ -80,6 +81,7 @@ export class RoomClient {
 
   #connected(): void {
     this.world.frames.restart();
+    this.world.ship.set(null);
     this.#mustReselect = true;
   }
 
@@ -96,6 +98,7 @@ export class RoomClient {
     selection.keep((id) => frames.has(id));
     if (this.#mustReselect) this.#reselect(selection.ids());
     if (selection.ids().length === 0 && view.current().follow) this.world.toggleView('follow');
+    if (!this.world.mainShip()) this.world.ship.set(null);
     const over = hovered.current();
     if (over !== null && !frames.has(over)) hovered.set(null);
     trails.record(frames, selection.ids());

@@ -14,5 +14,6 @@ export type Palette = {
   readonly flame: string;
   readonly select: string;
   readonly order: string;
+  readonly threat: string;
   readonly labelFont: string;
 };

@@ -2,6 +2,7 @@ import type { BodyId } from '../protocol/frame';
 import type { FrameColumns } from '../world/FrameColumns';
 import type { World } from '../world/World';
 import type { Camera } from './Camera';
+import { drawArrow } from './drawArrow';
 import { drawnRadius } from './drawnRadius';
 import type { Palette } from './Palette';
 
@@ -12,7 +13,6 @@ type Vector = (frame: FrameColumns, i: number) => { x: number; y: number };
 const TYPICAL_PX = 40;
 const SHORTEST_PX = 8;
 const LONGEST_PX = 110;
-const HEAD_PX = 8;
 
 const velocity: Vector = (frame, i) => ({ x: frame.vx[i]!, y: frame.vy[i]! });
 const force: Vector = (frame, i) => ({ x: frame.ax[i]! * frame.mass[i]!, y: frame.ay[i]! * frame.mass[i]! });
@@ -55,22 +55,6 @@ function drawAll(g: Context, world: World, camera: Camera, bodies: readonly Body
     const start = drawnRadius(newest, i, camera.pixelsPerUnit) + 3;
     drawArrow(g, camera.toScreenX(at.x[i]!), camera.toScreenY(at.y[i]!), x / size, -y / size, start, length);
   }
-}
-
-function drawArrow(g: Context, x: number, y: number, ux: number, uy: number, start: number, length: number): void {
-  const tipX = x + ux * (start + length);
-  const tipY = y + uy * (start + length);
-  const neckX = tipX - ux * HEAD_PX;
-  const neckY = tipY - uy * HEAD_PX;
-  g.beginPath();
-  g.moveTo(x + ux * start, y + uy * start);
-  g.lineTo(neckX, neckY);
-  g.stroke();
-  g.beginPath();
-  g.moveTo(tipX, tipY);
-  g.lineTo(neckX - uy * 0.5 * HEAD_PX, neckY + ux * 0.5 * HEAD_PX);
-  g.lineTo(neckX + uy * 0.5 * HEAD_PX, neckY - ux * 0.5 * HEAD_PX);
-  g.fill();
 }
 
 function rootMeanSquare(frame: FrameColumns, of: Vector): number {

@@ -3,6 +3,7 @@ import { bodyName } from '../world/bodyName';
 import type { World } from '../world/World';
 import type { Camera } from './Camera';
 import { drawnRadius } from './drawnRadius';
+import { drawText } from './drawText';
 import type { Palette } from './Palette';
 
 type Context = CanvasRenderingContext2D;
@@ -74,15 +75,7 @@ function drawLabel(g: Context, world: World, camera: Camera, id: BodyId, palette
   const place = placeOf(world, camera, id);
   if (!place) return;
   const text = bodyName(world.frames.newest.kindAt(place.slot), id);
-  g.font = palette.labelFont;
-  g.textAlign = 'center';
-  // A dark edge keeps the name legible over other bodies.
-  g.lineJoin = 'round';
-  g.lineWidth = 4;
-  g.strokeStyle = palette.sky;
-  g.strokeText(text, place.x, place.y - place.ring - LABEL_GAP_PX);
-  g.fillStyle = colour;
-  g.fillText(text, place.x, place.y - place.ring - LABEL_GAP_PX);
+  drawText(g, palette, colour, text, place.x, place.y - place.ring - LABEL_GAP_PX);
 }
 
 function placeOf(world: World, camera: Camera, id: BodyId) {

@@ -4,6 +4,7 @@ import { drawArrows } from './drawArrows';
 import { drawBodies } from './drawBodies';
 import { drawMarks } from './drawMarks';
 import { drawAim, drawOrders } from './drawOrders';
+import { drawPlan } from './drawPlan';
 import { drawEdge, drawSky } from './drawSky';
 import { drawTrails } from './drawTrails';
 import type { Palette } from './Palette';
@@ -52,6 +53,7 @@ export function sketchOf({ world, camera, palette: readPalette, isStill }: Stage
         drawOrders(g, world, camera, palette, nowMs);
         drawBodies(g, world.frames, camera, { palette, hasFlames: !isStill() });
         drawMarks(g, world, camera, palette, nowMs);
+        if (view.plan) drawPlan(g, world, camera, palette);
         drawArrows(g, world, camera, palette);
         drawAim(g, world, camera, palette);
         countFrame(nowMs);

@@ -1,9 +1,9 @@
 import { Client, type IMessage } from '@stomp/stompjs';
 import { type ClientMessage, encode } from '../protocol/commands';
-import { decodeDiagnostics, decodeProblem, decodeReply, decodeRoom } from '../protocol/decode';
+import { decodeDiagnostics, decodeProblem, decodeReply, decodeRoom, decodeShip } from '../protocol/decode';
 import { decodeFrame } from '../protocol/decodeFrame';
 import type { Frame } from '../protocol/frame';
-import type { Diagnostics, Problem, Reply, Room } from '../protocol/messages';
+import type { Diagnostics, Problem, Reply, Room, ShipReading } from '../protocol/messages';
 import { backoffMs } from './backoff';
 import type { Link } from './link';
 import { DelayMeter, RateMeter } from './meters';
@@ -28,6 +28,7 @@ export type RoomListener = {
   /** `atMs` is performance.now() of its arrival. */
   onFrame(frame: Frame, atMs: number): void;
   onDiagnostics(diagnostics: Diagnostics): void;
+  onShip(ship: ShipReading): void;
   onReply(reply: Reply): void;
   onProblem(problem: Problem): void;
 };
@@ -149,6 +150,7 @@ export class RoomConnection {
       this.#listener.onRoom(decodeRoom(body));
     });
     hear('/topic/diagnostics', ({ body }) => this.#listener.onDiagnostics(decodeDiagnostics(body)));
+    hear('/user/queue/ship', ({ body }) => this.#listener.onShip(decodeShip(body)));
     hear(BODIES, (message) => this.#arrived(message));
     this.#become({ state: 'live', hz: 0, delayMs: 0, bytesPerSecond: 0 });
     this.#report = setInterval(() => this.#measure(), 1000);

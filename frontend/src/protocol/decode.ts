@@ -1,5 +1,5 @@
 import type { BodyId, Vec2 } from './frame';
-import type { Boundary, Bounds, Diagnostics, Problem, Reply, Room } from './messages';
+import type { Boundary, Bounds, Diagnostics, Problem, Reply, Room, ShipReading, Threat } from './messages';
 import { BadMessage, parse, readArray, readNullable, readNumber, readObject, readString } from './read';
 
 /** Decodes the answer of `/app/room`. */
@@ -47,6 +47,43 @@ export function decodeDiagnostics(text: string): Diagnostics {
     gravitySolver: readNullable(from, 'gravitySolver', readString),
     forceError: readNullable(from, 'forceError', readNumber),
   };
+}
+
+/** Decodes `/user/queue/ship`. */
+export function decodeShip(text: string): ShipReading {
+  const ship = readObject(parse(text, 'ship'), 'ship');
+  if (typeof ship.evading !== 'boolean') throw new BadMessage(`evading must be true or false, was ${ship.evading}`);
+  return {
+    id: readId(ship, 'id'),
+    tick: readNumber(ship, 'tick'),
+    time: readNumber(ship, 'time'),
+    target: readNullable(ship, 'target', readVec2),
+    course: readVec2(ship, 'course'),
+    evading: ship.evading,
+    acceleration: readVec2(ship, 'acceleration'),
+    threat: readNullable(ship, 'threat', readThreat),
+  };
+}
+
+function readThreat(from: ReturnType<typeof readObject>, key: string): Threat {
+  const threat = readObject(from[key], key);
+  const passing = readObject(threat.passing, 'passing');
+  return {
+    id: readId(threat, 'id'),
+    timeToContact: readNumber(threat, 'timeToContact'),
+    passing: {
+      time: readNumber(passing, 'time'),
+      gap: readNumber(passing, 'gap'),
+      ship: readVec2(passing, 'ship'),
+      body: readVec2(passing, 'body'),
+    },
+  };
+}
+
+function readId(from: ReturnType<typeof readObject>, key: string): BodyId {
+  const id = readNumber(from, key);
+  if (!Number.isSafeInteger(id) || id <= 0) throw new BadMessage(`${key} must be a positive integer, was ${id}`);
+  return id as BodyId;
 }
 
 /** Decodes `/user/queue/replies`. */

@@ -62,3 +62,33 @@ export type Reply = { readonly command: string; readonly ids: readonly BodyId[];
 
 /** Why a command was refused: a code for programs, a sentence for people. */
 export type Problem = { readonly code: string; readonly message: string; readonly field: string | null };
+
+/** The closest approach of a ship on its course and a body that goes straight on. */
+export type Passing = {
+  /** From the moment of the message on. */
+  readonly time: number;
+  /** Between the rims; negative where they would touch. */
+  readonly gap: number;
+  /** Where the centres will be. In a periodic world the body is the image that is nearest to the ship. */
+  readonly ship: Vec2;
+  readonly body: Vec2;
+};
+
+/** What a ship would come too close to first if it did as it likes. */
+export type Threat = { readonly id: BodyId; readonly timeToContact: number; readonly passing: Passing };
+
+/** What the ship is doing that this client has selected last, ten times a second. */
+export type ShipReading = {
+  readonly id: BodyId;
+  readonly tick: number;
+  readonly time: number;
+  /** Where it is ordered to; null while it wanders. */
+  readonly target: Vec2 | null;
+  /** The velocity that it is on its way to. */
+  readonly course: Vec2;
+  /** Whether that is a detour for the sake of others. */
+  readonly evading: boolean;
+  /** Of its engine. */
+  readonly acceleration: Vec2;
+  readonly threat: Threat | null;
+};

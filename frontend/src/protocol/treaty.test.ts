@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { encode } from './commands';
-import { decodeDiagnostics, decodeProblem, decodeReply, decodeRoom } from './decode';
+import { decodeDiagnostics, decodeProblem, decodeReply, decodeRoom, decodeShip } from './decode';
 import { decodeFrame } from './decodeFrame';
 import type { BodyId } from './frame';
 
@@ -23,6 +23,7 @@ const proofs: Record<string, () => void> = {
   'room.json': () => expect(decodeRoom(golden('room.json'))).toEqual(parsed('room.json')),
   'reply.json': () => expect(decodeReply(golden('reply.json'))).toEqual(parsed('reply.json')),
   'problem.json': () => expect(decodeProblem(golden('problem.json'))).toEqual(parsed('problem.json')),
+  'ship.json': () => expect(decodeShip(golden('ship.json'))).toEqual(parsed('ship.json')),
   'select-body.json': () => {
     const send = encode({ type: 'select-body', id, selected: true });
     expect(JSON.parse(send.body)).toEqual(parsed('select-body.json'));
@@ -78,6 +79,21 @@ describe('a message that breaks the treaty', () => {
 
   it('a_room_with_an_unknown_edge_is_rejected', () => {
     expect(() => decodeRoom(golden('room.json').replace('walls', 'torus'))).toThrow('was torus');
+  });
+
+  const reading = (change: object) => JSON.stringify({ ...JSON.parse(golden('ship.json')), ...change });
+
+  it.each([
+    ['without_a_course', reading({ course: null })],
+    ['evading_by_halves', reading({ evading: 0.5 })],
+    ['with_the_id_of_nobody', reading({ id: 0 })],
+    ['with_half_a_threat', reading({ threat: { id: 9, timeToContact: 1 } })],
+  ])('a_ship_%s_is_rejected', (_name, text) => {
+    expect(() => decodeShip(text)).toThrow(/must be/);
+  });
+
+  it('a_ship_that_wanders_unthreatened_has_neither_target_nor_threat', () => {
+    expect(decodeShip(reading({ target: null, threat: null }))).toMatchObject({ target: null, threat: null });
   });
 
   it('a_scene_that_does_not_ask_for_energy_gives_null', () => {

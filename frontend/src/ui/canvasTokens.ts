@@ -17,6 +17,7 @@ export function canvasTokens() {
     flame: token('--flame'),
     select: token('--select'),
     order: token('--order'),
+    threat: token('--threat'),
     labelFont: token('--label-font'),
   };
 }

@@ -63,7 +63,7 @@ function seen(token: string, sight: string): Rgb {
 const deltaE = (a: Rgb, b: Rgb) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 
 describe('colours', () => {
-  const canvas = ['planet', 'rock', 'ship', 'select', 'order'];
+  const canvas = ['planet', 'rock', 'ship', 'select', 'order', 'threat'];
   const pairs = canvas.flatMap((a, i) => canvas.slice(i + 1).map((b) => [a, b] as const));
 
   it.each(Object.keys(SIGHTS))('bodies_and_marks_can_be_told_apart_in_%s_sight', (sight) => {
@@ -82,6 +82,8 @@ describe('colours', () => {
     ['text', 'selected-row'],
     ['order', 'panel'],
     ['bad', 'panel'],
+    ['threat', 'panel'],
+    ['threat', 'sky'],
     ['text', 'bad-surface'],
     ['warn', 'panel'],
     ['text', 'sky'],

@@ -35,6 +35,18 @@ it('the_last_one_selected_is_the_main_one', () => {
   expect(selection.ids()).toEqual([b, c, a]);
 });
 
+it('the_room_hears_which_one_has_become_the_main_one', () => {
+  const tell = vi.fn();
+  const selection = new Selection(tell);
+  for (const id of [a, b]) selection.add(id);
+  tell.mockClear();
+
+  selection.add(a);
+  selection.add(a);
+
+  expect(tell.mock.calls).toEqual([[a, true]]);
+});
+
 it('what_no_longer_exists_is_dropped_without_telling_the_room', () => {
   const tell = vi.fn();
   const selection = new Selection(tell);

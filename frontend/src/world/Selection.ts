@@ -28,8 +28,11 @@ export class Selection extends Watched {
     this.#become([id]);
   }
 
+  /** Selects this body as well. One that was selected before becomes the main one, and the room is told again. */
   add(id: BodyId): void {
+    const isAgain = this.has(id) && this.main() !== id;
     this.#become([...this.#ids.filter((other) => other !== id), id]);
+    if (isAgain) this.#tell(id, true);
   }
 
   toggle(id: BodyId): void {

@@ -1,5 +1,5 @@
 import type { BodyId, Vec2 } from '../protocol/frame';
-import type { Room } from '../protocol/messages';
+import type { Room, ShipReading } from '../protocol/messages';
 import { FrameBuffer } from './FrameBuffer';
 import { SHIP } from './FrameColumns';
 import { History } from './History';
@@ -18,6 +18,8 @@ export class World {
   readonly notices = new Notices();
   readonly history = new History();
   readonly room = new Value<Room | null>(null);
+  /** The newest reading of a ship; only {@link mainShip} knows whether it still matters. */
+  readonly ship = new Value<ShipReading | null>(null);
   readonly view = new Value<ViewOptions>(FIRST_VIEW);
   /** The body under the pointer, on the stage or in the list. */
   readonly hovered = new Value<BodyId | null>(null);
@@ -36,6 +38,12 @@ export class World {
   selectedShips(): BodyId[] {
     const { slot, kind } = this.frames.newest;
     return this.selection.ids().filter((id) => kind[slot.get(id) ?? kind.length] === SHIP);
+  }
+
+  /** What the ship is doing that was selected last; null until the room has told, and where that is no ship. */
+  mainShip(): ShipReading | null {
+    const reading = this.ship.current();
+    return reading && reading.id === this.selection.main() && this.frames.has(reading.id) ? reading : null;
   }
 
   toggleView(option: keyof ViewOptions): void {

@@ -1,4 +1,5 @@
 import type { Asteroid, BodyId, BodyState, Frame, Planet, Ship } from '../protocol/frame';
+import type { ShipReading } from '../protocol/messages';
 
 // Bodies and frames for tests: everything at rest at the origin, unless said otherwise.
 
@@ -21,6 +22,21 @@ export function asteroid(id: number, x = 0, y = 0, more: Partial<Asteroid> = {})
     { x: -4, y: -7 },
   ];
   return { ...still, id: bodyId(id), kind: 'asteroid', position: { x, y }, angle: 0, vertices, ...more };
+}
+
+/** A ship that goes 84 to the right, wanders and has nothing in its way, unless said otherwise. */
+export function shipReading(id: number, more: Partial<ShipReading> = {}): ShipReading {
+  return {
+    id: bodyId(id),
+    tick: 5,
+    time: 5 / 150,
+    target: null,
+    course: { x: 84, y: 0 },
+    evading: false,
+    acceleration: { x: 0, y: -120 },
+    threat: null,
+    ...more,
+  };
 }
 
 /** Ticks are 1/150 of a time unit; a frame comes every fifth. */

@@ -1,4 +1,4 @@
-import { type ReactNode, useSyncExternalStore } from 'react';
+import { useSyncExternalStore } from 'react';
 import type { BodyKind } from '../../protocol/frame';
 import { Button } from '../../ui/Button';
 import { formatCoordinate, formatRange } from '../../ui/formatNumber';
@@ -9,7 +9,9 @@ import { useMedia } from '../../ui/useMedia';
 import { bodyName, countOf } from '../../world/bodyName';
 import type { FrameColumns } from '../../world/FrameColumns';
 import type { World } from '../../world/World';
+import { Fact } from './Fact';
 import styles from './Inspector.module.css';
+import { ShipFacts } from './ShipFacts';
 
 type InspectorProps = { world: World; isOffline: boolean; onDelete: () => void };
 
@@ -65,26 +67,18 @@ export function Inspector({ world, isOffline, onDelete }: InspectorProps) {
           <Fact label="Position" value={point(frame.x[slots[0]!]!, frame.y[slots[0]!]!)} unit={length} />
         )}
         {kind === 'ship' && <Fact label="Order" value={<Order frame={frame} slots={slots} />} />}
+        {kind === 'ship' && slots.length === 1 && <ShipFacts world={world} />}
       </dl>
     </section>
-  );
-}
-
-function Fact({ label, value, unit }: { label: string; value: ReactNode; unit?: string }) {
-  return (
-    <div className={styles.fact}>
-      <dt>{label}</dt>
-      <dd>
-        {value} {unit && <span className={styles.unit}>{unit}</span>}
-      </dd>
-    </div>
   );
 }
 
 /** A fleet is sent into a formation: as long as the places are near each other, its middle is the order. */
 function Order({ frame, slots }: { frame: FrameColumns; slots: readonly number[] }) {
   const ordered = slots.filter((slot) => !Number.isNaN(frame.targetX[slot]!));
-  if (ordered.length === 0) return <span className={styles.unit}>none</span>;
+  if (ordered.length === 0) {
+    return <span className={styles.unit}>{slots.length === 1 ? 'none, it wanders' : 'none, they wander'}</span>;
+  }
   const x = middle(ordered.map((slot) => frame.targetX[slot]!));
   const y = middle(ordered.map((slot) => frame.targetY[slot]!));
   const isOne = ordered.every(

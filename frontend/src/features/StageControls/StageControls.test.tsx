@@ -11,6 +11,7 @@ it.each([
   ['Trails', 'trails', false],
   ['Velocity', 'velocity', false],
   ['Force', 'force', true],
+  ['Plan', 'plan', false],
   ['Grid', 'grid', false],
 ] as const)('%s_can_be_switched', async (name, option, after) => {
   const world = new World();

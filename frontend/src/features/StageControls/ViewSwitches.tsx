@@ -9,6 +9,7 @@ const SWITCHES: readonly { option: keyof ViewOptions; label: string; title: stri
   { option: 'trails', label: 'Trails', title: 'Where the selected bodies have been' },
   { option: 'velocity', label: 'Velocity', title: 'Velocity of the selected bodies' },
   { option: 'force', label: 'Force', title: 'Force on the selected bodies, dashed' },
+  { option: 'plan', label: 'Plan', title: 'Thrust, course and nearest threat of the ship selected last' },
   { option: 'grid', label: 'Grid', title: 'Grid in units of the scene' },
 ];
 

@@ -2,8 +2,10 @@ package io.github.apsis.engine;
 
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.body.BodyId;
+import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.math.Vec2;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What a ship is doing, for those who watch it.
@@ -20,19 +22,59 @@ public record ShipReading(
      * A body that is in the way.
      *
      * @param timeToContact or to the closest approach, as it was when the ship last thought
+     * @param passing how the two will pass each other on the course that was chosen
      */
-    public record Threat(BodyId body, double timeToContact) {}
+    public record Threat(BodyId body, double timeToContact, Passing passing) {}
 
-    static ShipReading of(Bodies bodies, int i) {
+    /**
+     * The closest approach of a ship on its course and a body that goes straight on:
+     *
+     * <pre>
+     *   t = max(0, −d·w / w²)        gap = |d + w t| − r₁ − r₂
+     * </pre>
+     *
+     * <p>with d the line between the centres and w the velocity of the body against the course.
+     *
+     * @param time from now
+     * @param gap between the rims; negative where they would touch, length
+     * @param ship where its centre will be
+     * @param body where the centre of the other will be; in a world that repeats itself the image that is nearest to the ship
+     */
+    public record Passing(double time, double gap, Vec2 ship, Vec2 body) {}
+
+    static ShipReading of(Bodies bodies, int i, @Nullable Period period) {
         double perMass = bodies.inverseMass(i);
+        int threat = bodies.threat(i) == 0 ? -1 : bodies.slotOf(new BodyId(bodies.threat(i)));
         return new ShipReading(
                 bodies.id(i),
                 bodies.hasTarget(i) ? Optional.of(new Vec2(bodies.targetX(i), bodies.targetY(i))) : Optional.empty(),
                 new Vec2(bodies.courseX(i), bodies.courseY(i)),
                 bodies.isEvading(i),
                 new Vec2(bodies.thrustX(i) * perMass, bodies.thrustY(i) * perMass),
-                bodies.threat(i) == 0
+                threat < 0 // also when the body has gone since the ship last thought
                         ? Optional.empty()
-                        : Optional.of(new Threat(new BodyId(bodies.threat(i)), bodies.contactIn(i))));
+                        : Optional.of(new Threat(
+                                bodies.id(threat), bodies.contactIn(i), passing(bodies, i, threat, period))));
+    }
+
+    private static Passing passing(Bodies bodies, int i, int other, @Nullable Period period) {
+        double dx = bodies.x(other) - bodies.x(i);
+        double dy = bodies.y(other) - bodies.y(i);
+        if (period != null) {
+            dx = period.nearestX(dx);
+            dy = period.nearestY(dy);
+        }
+        double wx = bodies.vx(other) - bodies.courseX(i);
+        double wy = bodies.vy(other) - bodies.courseY(i);
+        double w2 = wx * wx + wy * wy;
+        double time = w2 > 0 ? Math.max(0, -(dx * wx + dy * wy) / w2) : 0;
+        double distance = new Vec2(dx + wx * time, dy + wy * time).length();
+        double x = bodies.x(i) + bodies.courseX(i) * time;
+        double y = bodies.y(i) + bodies.courseY(i) * time;
+        return new Passing(
+                time,
+                distance - bodies.radius(i) - bodies.radius(other),
+                new Vec2(x, y),
+                new Vec2(x + dx + wx * time, y + dy + wy * time));
     }
 }

@@ -207,8 +207,7 @@ public final class World implements AutoCloseable {
      * tells what the numerics did meanwhile.
      */
     public Conserved conserved() {
-        var period = spec.boundary() instanceof Boundary.Periodic p ? new Period(p.box()) : null;
-        return Conserved.of(bodies, forces, period);
+        return Conserved.of(bodies, forces, periodOf(spec));
     }
 
     /** The spacing of doubles as a share of what a body moves in a tick, the worst of all: see {@link Resolution}. */
@@ -253,7 +252,9 @@ public final class World implements AutoCloseable {
     /** What a ship is doing; empty when there is no such ship. */
     public Optional<ShipReading> ship(BodyId ship) {
         int slot = bodies.slotOf(ship);
-        return slot >= 0 && bodies.isShip(slot) ? Optional.of(ShipReading.of(bodies, slot)) : Optional.empty();
+        return slot >= 0 && bodies.isShip(slot)
+                ? Optional.of(ShipReading.of(bodies, slot, periodOf(spec)))
+                : Optional.empty();
     }
 
     /** A hash of the whole state, tick included: equal histories have equal hashes. */
@@ -343,8 +344,11 @@ public final class World implements AutoCloseable {
 
     private static Steering steeringOf(WorldSpec spec) {
         var walls = spec.boundary() instanceof Boundary.Walls w ? w.box() : null;
-        var period = spec.boundary() instanceof Boundary.Periodic p ? new Period(p.box()) : null;
-        return new Steering(spec.steering(), spec.gravity(), spec.seed(), walls, period);
+        return new Steering(spec.steering(), spec.gravity(), spec.seed(), walls, periodOf(spec));
+    }
+
+    private static @Nullable Period periodOf(WorldSpec spec) {
+        return spec.boundary() instanceof Boundary.Periodic p ? new Period(p.box()) : null;
     }
 
     /** Exact contacts of the adaptive method are found on its series, all others on the parabola of a tick. */

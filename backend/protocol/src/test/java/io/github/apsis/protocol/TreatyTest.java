@@ -35,6 +35,7 @@ class TreatyTest {
         "reply.json, io.github.apsis.protocol.Reply",
         "room.json, io.github.apsis.protocol.RoomInfo",
         "select-body.json, io.github.apsis.protocol.ClientMessage$Select",
+        "ship.json, io.github.apsis.protocol.ShipState",
     })
     void a_golden_example_survives_reading_and_writing(String file, String type) throws Exception {
         String golden = Files.readString(MESSAGES.resolve(file));
@@ -58,7 +59,8 @@ class TreatyTest {
                             "problem.json",
                             "reply.json",
                             "room.json",
-                            "select-body.json");
+                            "select-body.json",
+                            "ship.json");
         }
     }
 

@@ -8,6 +8,9 @@ public interface FrameSink {
     /** The bodies, at the frame rate of the room. */
     void publish(RoomFrame frame);
 
+    /** What the ships are doing that somebody has selected, ten times a second; not at all where nobody has. */
+    void publish(WatchedShips ships);
+
     /** How the room is doing, four times a second. */
     void publish(RoomReadings readings);
 }

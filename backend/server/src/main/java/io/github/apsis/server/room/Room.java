@@ -3,6 +3,7 @@ package io.github.apsis.server.room;
 import io.github.apsis.engine.Command;
 import io.github.apsis.engine.CommandResult;
 import io.github.apsis.engine.Departure;
+import io.github.apsis.engine.ShipReading;
 import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSnapshot;
 import io.github.apsis.engine.WorldSpec;
@@ -18,8 +19,10 @@ import io.github.apsis.server.room.Outcome.Reason;
 import io.github.apsis.server.room.Outcome.Refused;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.DoubleSupplier;
@@ -43,6 +46,7 @@ public final class Room {
     static final int MOST_COMMANDS_PER_TICK = 8;
 
     private static final int READINGS_PER_SECOND = 4;
+    private static final int SHIPS_PER_SECOND = 10;
 
     private final RoomSpec spec;
     private final WorldSpec laws;
@@ -109,8 +113,21 @@ public final class Room {
         if (isDue(spec.framesPerSecond(), share)) {
             sink.publish(new RoomFrame(snapshot(), appearances.copy(), selections.ofAnyone(), share));
         }
+        if (isDue(SHIPS_PER_SECOND, share) && !selections.last().isEmpty()) {
+            publishShips();
+        }
         if (isDue(READINGS_PER_SECOND, share)) {
             sink.publish(readings());
+        }
+    }
+
+    private void publishShips() {
+        Map<BodyId, Optional<ShipReading>> readings = new HashMap<>();
+        Map<ClientId, ShipReading> byClient = new HashMap<>();
+        selections.last().forEach((client, body) -> readings.computeIfAbsent(body, world::ship)
+                .ifPresent(reading -> byClient.put(client, reading)));
+        if (!byClient.isEmpty()) {
+            sink.publish(new WatchedShips(world.tick(), world.time(), Map.copyOf(byClient)));
         }
     }
 

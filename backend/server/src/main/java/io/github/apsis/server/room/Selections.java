@@ -12,16 +12,36 @@ import java.util.Set;
  */
 final class Selections {
     private final Map<ClientId, Set<BodyId>> byClient = new HashMap<>();
+    private final Map<ClientId, BodyId> last = new HashMap<>();
     private Set<BodyId> handedOut = Set.of();
     private boolean changed;
 
+    /** What is selected again counts as selected last. */
     void select(ClientId client, BodyId body) {
-        changed |=
-                byClient.computeIfAbsent(client, who -> new LinkedHashSet<>()).add(body);
+        Set<BodyId> selected = byClient.computeIfAbsent(client, who -> new LinkedHashSet<>());
+        boolean isNew = !selected.remove(body);
+        selected.add(body);
+        changed |= isNew;
+        last.put(client, body);
     }
 
     void deselect(ClientId client, BodyId body) {
-        changed |= byClient.getOrDefault(client, Set.of()).remove(body);
+        if (byClient.getOrDefault(client, Set.of()).remove(body)) {
+            changed = true;
+            findLast(client, body);
+        }
+    }
+
+    private void findLast(ClientId client, BodyId gone) {
+        if (gone.equals(last.get(client))) {
+            last.remove(client);
+            byClient.getOrDefault(client, Set.of()).forEach(body -> last.put(client, body));
+        }
+    }
+
+    /** What each client has selected last. Not to be changed. */
+    Map<ClientId, BodyId> last() {
+        return last;
     }
 
     /** What this client has selected, in the order of selection. */
@@ -31,14 +51,13 @@ final class Selections {
 
     /** The body is gone: nobody has it selected any more. */
     void forget(BodyId body) {
-        for (Set<BodyId> selected : byClient.values()) {
-            changed |= selected.remove(body);
-        }
+        byClient.keySet().forEach(client -> deselect(client, body));
     }
 
     /** The client is gone. */
     void leave(ClientId client) {
         changed |= byClient.remove(client) != null;
+        last.remove(client);
     }
 
     /** What anyone has selected: an immutable copy, made after a change. */

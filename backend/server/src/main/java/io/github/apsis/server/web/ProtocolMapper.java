@@ -1,5 +1,6 @@
 package io.github.apsis.server.web;
 
+import io.github.apsis.engine.ShipReading;
 import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.collision.Boundary;
 import io.github.apsis.engine.diagnostics.Conserved;
@@ -12,6 +13,7 @@ import io.github.apsis.protocol.Kind;
 import io.github.apsis.protocol.Point;
 import io.github.apsis.protocol.Reply;
 import io.github.apsis.protocol.RoomInfo;
+import io.github.apsis.protocol.ShipState;
 import io.github.apsis.scenes.Scene;
 import io.github.apsis.scenes.Units;
 import io.github.apsis.server.room.Conservation;
@@ -81,6 +83,29 @@ final class ProtocolMapper {
                 number(now.map(Conserved::virialRatio)),
                 readings.gravitySolver(),
                 number(Optional.of(readings.forceError())));
+    }
+
+    static ShipState toShipState(long tick, double time, ShipReading reading) {
+        return new ShipState(
+                reading.ship().value(),
+                tick,
+                time,
+                reading.target().map(ProtocolMapper::toPoint).orElse(null),
+                toPoint(reading.course()),
+                reading.evading(),
+                toPoint(reading.acceleration()),
+                reading.threat().map(ProtocolMapper::toThreat).orElse(null));
+    }
+
+    private static ShipState.@Nullable Threat toThreat(ShipReading.Threat threat) {
+        ShipReading.Passing passing = threat.passing();
+        if (!Double.isFinite(passing.gap())) {
+            return null; // at the end of the numbers, and JSON has no infinity
+        }
+        return new ShipState.Threat(
+                threat.body().value(),
+                threat.timeToContact(),
+                new ShipState.Passing(passing.time(), passing.gap(), toPoint(passing.ship()), toPoint(passing.body())));
     }
 
     static RoomInfo toRoomInfo(RoomSpec room) {

@@ -1,10 +1,14 @@
 package io.github.apsis.server.web;
 
+import io.github.apsis.engine.ShipReading;
 import io.github.apsis.protocol.Frame;
 import io.github.apsis.protocol.json.FrameEncoder;
 import io.github.apsis.server.room.FrameSink;
 import io.github.apsis.server.room.RoomFrame;
 import io.github.apsis.server.room.RoomReadings;
+import io.github.apsis.server.room.WatchedShips;
+import java.util.IdentityHashMap;
+import java.util.Map;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
@@ -47,6 +51,11 @@ final class StompFrameSink implements FrameSink, AutoCloseable {
         execute(() -> send(readings));
     }
 
+    @Override
+    public void publish(WatchedShips ships) {
+        execute(() -> send(ships));
+    }
+
     private void execute(Runnable task) {
         try {
             thread.execute(task);
@@ -73,6 +82,22 @@ final class StompFrameSink implements FrameSink, AutoCloseable {
             var diagnostics = ProtocolMapper.toDiagnostics(readings, sessions.count());
             sessions.publish(Bulletin.plain(Destinations.DIAGNOSTICS, json.writeValueAsString(diagnostics)));
         }
+    }
+
+    /** To each client its own; a ship that several look at is encoded once. */
+    private void send(WatchedShips ships) {
+        Map<ShipReading, Bulletin> encoded = new IdentityHashMap<>();
+        ships.byClient().forEach((client, reading) -> {
+            ClientSession session = sessions.byId(client.value());
+            if (session != null && session.isSubscribed(Destinations.SHIP)) {
+                session.offer(encoded.computeIfAbsent(reading, r -> toBulletin(ships, r)));
+            }
+        });
+    }
+
+    private Bulletin toBulletin(WatchedShips ships, ShipReading reading) {
+        var state = ProtocolMapper.toShipState(ships.tick(), ships.time(), reading);
+        return Bulletin.plain(Destinations.SHIP, json.writeValueAsString(state));
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.util.List;
 final class RecordingSink implements FrameSink {
     final List<RoomFrame> frames = new ArrayList<>();
     final List<RoomReadings> readings = new ArrayList<>();
+    final List<WatchedShips> ships = new ArrayList<>();
 
     @Override
     public void publish(RoomFrame frame) {
@@ -16,6 +17,11 @@ final class RecordingSink implements FrameSink {
     @Override
     public void publish(RoomReadings reading) {
         readings.add(reading);
+    }
+
+    @Override
+    public void publish(WatchedShips watched) {
+        ships.add(watched);
     }
 
     RoomFrame last() {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.apsis.engine.ShipReading;
 import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.body.BodyKind;
@@ -19,6 +20,7 @@ import io.github.apsis.server.room.Request.Remove;
 import io.github.apsis.server.room.Request.Select;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -130,6 +132,53 @@ class RoomTest {
         assertThat(world.target(world.indexOf(OTHER_SHIP))).contains(new Vec2(100, 0));
         Vec2 other = world.target(world.indexOf(SHIP)).orElseThrow();
         assertThat(Math.hypot(other.x() - 100, other.y())).isCloseTo(2.5 * 4, within(1e-9));
+    }
+
+    @Test
+    void everybody_hears_ten_times_a_second_of_the_ship_that_he_selected_last() {
+        submit(ANN, new Select(SHIP));
+        submit(ANN, new MoveSelectedShips(120, -80));
+        submit(ANN, new Select(OTHER_SHIP));
+        submit(BOB, new Select(OTHER_SHIP));
+        submit(ANN, new Select(SHIP)); // once more
+
+        ticks(TickLoop.TICKS_PER_SECOND);
+
+        assertThat(sink.ships).hasSize(10).allSatisfy(ships -> {
+            assertThat(ships.byClient()).containsOnlyKeys(ANN, BOB);
+            assertThat(of(ANN, ships).ship()).isEqualTo(SHIP);
+            assertThat(of(ANN, ships).target()).contains(new Vec2(120, -80));
+            assertThat(of(BOB, ships).ship()).isEqualTo(OTHER_SHIP);
+            assertThat(of(BOB, ships).target()).isEmpty();
+        });
+    }
+
+    private static ShipReading of(ClientId client, WatchedShips ships) {
+        return Objects.requireNonNull(ships.byClient().get(client));
+    }
+
+    @Test
+    void a_ship_that_nobody_has_selected_last_costs_nothing() {
+        submit(ANN, new Select(SHIP));
+        submit(ANN, new Select(ROCK));
+        submit(BOB, new Select(SHIP));
+        submit(BOB, new Deselect(SHIP));
+
+        ticks(TickLoop.TICKS_PER_SECOND);
+
+        assertThat(sink.ships).isEmpty();
+    }
+
+    @Test
+    void when_the_last_one_is_gone_the_one_before_it_is_the_last() {
+        submit(ANN, new Select(SHIP));
+        submit(ANN, new Select(OTHER_SHIP));
+        submit(BOB, new Remove(OTHER_SHIP));
+
+        ticks(TickLoop.TICKS_PER_SECOND);
+
+        assertThat(sink.ships)
+                .allSatisfy(ships -> assertThat(of(ANN, ships).ship()).isEqualTo(SHIP));
     }
 
     @Test

@@ -9,6 +9,7 @@ import io.github.apsis.protocol.Frame;
 import io.github.apsis.protocol.Problem;
 import io.github.apsis.protocol.Reply;
 import io.github.apsis.protocol.RoomInfo;
+import io.github.apsis.protocol.ShipState;
 import io.github.apsis.protocol.json.FrameEncoder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -42,13 +43,20 @@ class TreatyTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"diagnostics.json, Diagnostics", "problem.json, Problem", "reply.json, Reply", "room.json, RoomInfo"})
+    @CsvSource({
+        "diagnostics.json, Diagnostics",
+        "problem.json, Problem",
+        "reply.json, Reply",
+        "room.json, RoomInfo",
+        "ship.json, ShipState"
+    })
     void answers_are_written_as_the_treaty_says(String file, String type) throws Exception {
         String golden = Goldens.read(file);
-        Class<?> record = List.of(Diagnostics.class, Problem.class, Reply.class, RoomInfo.class).stream()
-                .filter(candidate -> candidate.getSimpleName().equals(type))
-                .findFirst()
-                .orElseThrow();
+        Class<?> record =
+                List.of(Diagnostics.class, Problem.class, Reply.class, RoomInfo.class, ShipState.class).stream()
+                        .filter(candidate -> candidate.getSimpleName().equals(type))
+                        .findFirst()
+                        .orElseThrow();
 
         String written = json.writeValueAsString(json.readValue(golden, record));
 

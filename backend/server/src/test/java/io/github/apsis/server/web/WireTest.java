@@ -8,12 +8,14 @@ import io.github.apsis.protocol.Kind;
 import io.github.apsis.protocol.Point;
 import io.github.apsis.protocol.Reply;
 import io.github.apsis.protocol.RoomInfo;
+import io.github.apsis.protocol.ShipState;
 import io.github.apsis.server.web.TestClient.Heard;
 import io.github.apsis.server.web.TestClient.Transport;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -168,6 +170,44 @@ class WireTest {
             assertThat(diagnostics.virialRatio()).isNotNull().isPositive();
             assertThat(diagnostics.gravitySolver()).isEqualTo("direct");
             assertThat(diagnostics.forceError()).isNull(); // a direct sum has none to sample
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void a_client_hears_what_its_selected_ship_is_doing(Transport transport) throws Exception {
+        BlockingQueue<Heard> ships = new LinkedBlockingQueue<>();
+        BlockingQueue<Heard> others = new LinkedBlockingQueue<>();
+        try (TestClient client = TestClient.connect(transport, port);
+                TestClient bystander = TestClient.connect(port)) {
+            client.hear("/user/queue/ship", ships::add);
+            bystander.hear("/user/queue/ship", others::add);
+            client.send("/app/random-spaceship");
+            long ship = client.reply().ids().get(0);
+            client.send("/app/select-body", "{\"id\":" + ship + ",\"selected\":true}");
+            ShipState wandering = next(ships, state -> true);
+            assertThat(wandering.id()).isEqualTo(ship);
+            assertThat(wandering.target()).isNull();
+
+            client.reply();
+            client.send("/app/move-selected-spaceships", "{\"x\":700,\"y\":700}");
+            ShipState seeking = next(ships, state -> state.target() != null);
+
+            assertThat(seeking.target()).isEqualTo(new Point(700, 700));
+            assertThat(seeking.tick()).isGreaterThan(wandering.tick());
+            assertThat(others).isEmpty();
+            client.send("/app/delete-body", "{\"id\":" + ship + "}");
+        }
+    }
+
+    private ShipState next(BlockingQueue<Heard> ships, Predicate<ShipState> wanted) throws Exception {
+        while (true) {
+            Heard heard = ships.poll(TestClient.PATIENCE_SECONDS, TimeUnit.SECONDS);
+            assertThat(heard).isNotNull();
+            ShipState state = json.readValue(heard.body(), ShipState.class);
+            if (wanted.test(state)) {
+                return state;
+            }
         }
     }
 
