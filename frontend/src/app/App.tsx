@@ -5,6 +5,7 @@ import type { Stage } from '../canvas/sketch';
 import { ShortcutsDialog } from '../features/Shortcuts/ShortcutsDialog';
 import { SimulationControl } from '../features/SimulationControl/SimulationControl';
 import { EmptyStage } from '../features/StageControls/EmptyStage';
+import { EventList } from '../features/StageControls/EventList';
 import { OrderHint } from '../features/StageControls/OrderHint';
 import { Problems } from '../features/StageControls/Problems';
 import { ScaleBar } from '../features/StageControls/ScaleBar';
@@ -103,6 +104,7 @@ export function App({ client }: { client: RoomClient }) {
         <ZoomControl onZoomOut={actions['zoom-out']} onZoomIn={actions['zoom-in']} onFit={actions.fit} />
         {room && <ScaleBar length={niceStep(scale)} pixelsPerUnit={scale} unit={unitSymbol(room.units.length)} />}
         {!isOffline && <OrderHint world={world} />}
+        <EventList world={world} />
         <Problems world={world} />
       </main>
       {isPhone ? (

@@ -125,6 +125,57 @@ describe('the ship selected last', () => {
   });
 });
 
+describe('events', () => {
+  const tell = (...events: object[]) =>
+    server().message('/topic/events', { tick: 20, unlisted: 0, events: events.map((e) => ({ ...event, ...e })) });
+  const event = { number: 1, tick: 10, time: 0, type: 'arrived', ship: 1, other: null, speed: null };
+  const crash = { type: 'destroyed', other: { id: 9, kind: 'asteroid' }, speed: 50 };
+
+  it('are_all_shown_and_one_s_own_are_announced', () => {
+    shows(5, ship(1), ship(2));
+    client.select(bodyId(1), false);
+    tell({ ship: 2 });
+    expect(client.world.notices.news()).toBe('');
+
+    tell({ ship: 2 }, { number: 2 });
+
+    expect(client.world.notices.news()).toBe('Ship 1 has arrived');
+    expect(client.world.events.recent()).toHaveLength(2);
+  });
+
+  it.each(['before', 'after'])('a_selected_ship_that_is_destroyed_is_lamented_when_told_%s_the_frame', (order) => {
+    shows(5, ship(1), asteroid(9));
+    client.select(bodyId(1), false);
+    if (order === 'before') tell(crash);
+    shows(10, asteroid(9));
+    if (order === 'after') tell(crash);
+
+    expect(client.world.selection.ids()).toEqual([]);
+    expect(client.world.notices.problems().map(({ text }) => text)).toEqual([
+      'Ship 1 hit Asteroid 9 and is gone. It was selected.',
+    ]);
+  });
+
+  it('somebody_else_s_loss_is_no_alarm', () => {
+    shows(5, ship(1), ship(2), asteroid(9));
+    client.select(bodyId(2), false);
+    tell(crash);
+
+    expect(client.world.notices.problems()).toEqual([]);
+    expect(client.world.events.recent()).toHaveLength(1);
+  });
+
+  it('of_a_former_life_of_the_room_are_forgotten', () => {
+    shows(5000, ship(1));
+    tell({ number: 40 });
+    shows(5, ship(1));
+
+    expect(client.world.events.recent()).toEqual([]);
+    tell({ number: 1 });
+    expect(client.world.events.recent()).toHaveLength(1);
+  });
+});
+
 describe('orders', () => {
   it('only_selected_ships_are_sent', () => {
     shows(5, ship(1), planet(2));

@@ -3,14 +3,18 @@ import { RoomConnection } from '../connection/RoomConnection';
 import { type OpenSocket, openSocket } from '../connection/socket';
 import type { AddCommand, ClientMessage } from '../protocol/commands';
 import type { BodyId, Frame, Vec2 } from '../protocol/frame';
-import type { Problem, Reply, Room } from '../protocol/messages';
+import type { Problem, Reply, Room, ShipEvents } from '../protocol/messages';
 import { formatCoordinate } from '../ui/formatNumber';
 import { bodyName, countOf } from '../world/bodyName';
+import { eventText } from '../world/eventText';
 import { World } from '../world/World';
 
 /** Bursts of up to 100 commands are allowed, and the user may want to do something meanwhile. */
 const RESELECT_AT_ONCE = 50;
 const RESELECT_EVERY_MS = 1200;
+
+/** So long an event may come after the frame in which its ship is missing. */
+const LOST_FOR_MS = 3000;
 
 const KIND_OF_ADD: Readonly<Record<string, string>> = {
   'random-planet': 'Planet',
@@ -28,6 +32,7 @@ export class RoomClient {
   readonly connection: RoomConnection;
   #mustReselect = false;
   #unnamed: BodyId[] = [];
+  readonly #lost = new Map<BodyId, number>();
   #deletedNames = new Map<BodyId, string>();
 
   constructor(open: OpenSocket = openSocket) {
@@ -38,6 +43,7 @@ export class RoomClient {
         onRoom: (room) => this.#enter(room),
         onFrame: (frame, atMs) => this.#show(frame, atMs),
         onDiagnostics: (diagnostics) => this.world.history.add(diagnostics),
+        onEvents: (events) => this.#hear(events),
         onShip: (ship) => this.world.ship.set(ship),
         onReply: (reply) => this.#answer(reply),
         onProblem: (problem) => this.#complain(problem),
@@ -95,6 +101,7 @@ export class RoomClient {
   #show(frame: Frame, nowMs: number): void {
     const { frames, selection, trails, orders, hovered, view } = this.world;
     if (frames.accept(frame, nowMs)) this.#forget();
+    this.#rememberLost(nowMs);
     selection.keep((id) => frames.has(id));
     if (this.#mustReselect) this.#reselect(selection.ids());
     if (selection.ids().length === 0 && view.current().follow) this.world.toggleView('follow');
@@ -112,6 +119,23 @@ export class RoomClient {
     this.world.orders.refuse();
     this.world.fresh.clear();
     this.world.history.clear();
+    this.world.events.clear();
+  }
+
+  /** What this client had selected when it went: the event that says why may come after the frame without it. */
+  #rememberLost(nowMs: number): void {
+    const { frames, selection } = this.world;
+    for (const id of selection.ids()) if (!frames.has(id)) this.#lost.set(id, nowMs);
+    for (const [id, atMs] of this.#lost) if (nowMs - atMs > LOST_FOR_MS) this.#lost.delete(id);
+  }
+
+  /** All events are shown; what happens to one's own ships is said as well, and that one is gone cannot be overlooked. */
+  #hear(events: ShipEvents): void {
+    for (const event of this.world.events.take(events)) {
+      const isOwn = this.world.selection.has(event.ship) || this.#lost.has(event.ship);
+      if (isOwn && event.type === 'destroyed') this.world.notices.problem(`${eventText(event)}. It was selected.`);
+      else if (isOwn) this.world.notices.announce(eventText(event));
+    }
   }
 
   /** A selection ends with its session; this tells the new one. In portions, for the limit on commands. */

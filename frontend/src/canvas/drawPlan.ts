@@ -17,7 +17,7 @@ const SHORTEST_PX = 8;
 const AHEAD = 1;
 const RING_GAP_PX = 7;
 const TICK_PX = 5;
-const LABEL_GAP_PX = 4;
+const LABEL_GAP_PX = 10;
 
 /** What the ship that was selected last is about to do: its thrust, its course, its nearest threat and where the two pass. */
 export function drawPlan(g: Context, world: World, camera: Camera, palette: Palette): void {
@@ -66,16 +66,35 @@ function drawThreat(g: Context, world: World, camera: Camera, palette: Palette, 
   for (const [ux, uy] of DIAGONALS) {
     drawLine(g, x + ux * ring, y + uy * ring, x + ux * (ring + TICK_PX), y + uy * (ring + TICK_PX));
   }
-  const { ship, body } = threat.passing;
+  const { body } = threat.passing;
   const [bodyX, bodyY] = [camera.toScreenX(body.x), camera.toScreenY(body.y)];
-  drawLine(g, camera.toScreenX(ship.x), camera.toScreenY(ship.y), bodyX, bodyY);
+  drawGap(g, world, camera, threat, newest.radius[slot]!);
   g.lineWidth = 1.2;
   drawRing(g, bodyX, bodyY, radius);
   g.setLineDash([2, 4]);
   drawLine(g, x, y, bodyX, bodyY);
   g.setLineDash([]);
   const name = bodyName(newest.kindAt(slot), threat.id);
-  drawText(g, palette, palette.threat, name, x, y - ring - TICK_PX - LABEL_GAP_PX);
+  // Below, because the name of the ship stands above it.
+  drawText(g, palette, palette.threat, name, x, y + ring + TICK_PX + LABEL_GAP_PX);
+}
+
+/** From rim to rim; nothing where they would touch. */
+function drawGap(g: Context, world: World, camera: Camera, { passing }: Threat, radius: number): void {
+  const { ship, body, gap } = passing;
+  const main = world.frames.newest.slot.get(world.selection.main()!);
+  if (gap <= 0 || main === undefined) return;
+  const [dx, dy] = [body.x - ship.x, body.y - ship.y];
+  const distance = Math.hypot(dx, dy);
+  const from = world.frames.newest.radius[main]! / distance;
+  const to = 1 - radius / distance;
+  drawLine(
+    g,
+    camera.toScreenX(ship.x + from * dx),
+    camera.toScreenY(ship.y + from * dy),
+    camera.toScreenX(ship.x + to * dx),
+    camera.toScreenY(ship.y + to * dy),
+  );
 }
 
 /** In the colour of the flame, as long as the engine is strained. */

@@ -8,6 +8,7 @@ const listener = () => ({
   onRoom: vi.fn(),
   onFrame: vi.fn(),
   onDiagnostics: vi.fn(),
+  onEvents: vi.fn(),
   onShip: vi.fn(),
   onReply: vi.fn(),
   onProblem: vi.fn(),

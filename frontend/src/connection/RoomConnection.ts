@@ -1,9 +1,16 @@
 import { Client, type IMessage } from '@stomp/stompjs';
 import { type ClientMessage, encode } from '../protocol/commands';
-import { decodeDiagnostics, decodeProblem, decodeReply, decodeRoom, decodeShip } from '../protocol/decode';
+import {
+  decodeDiagnostics,
+  decodeEvents,
+  decodeProblem,
+  decodeReply,
+  decodeRoom,
+  decodeShip,
+} from '../protocol/decode';
 import { decodeFrame } from '../protocol/decodeFrame';
 import type { Frame } from '../protocol/frame';
-import type { Diagnostics, Problem, Reply, Room, ShipReading } from '../protocol/messages';
+import type { Diagnostics, Problem, Reply, Room, ShipEvents, ShipReading } from '../protocol/messages';
 import { backoffMs } from './backoff';
 import type { Link } from './link';
 import { DelayMeter, RateMeter } from './meters';
@@ -28,6 +35,7 @@ export type RoomListener = {
   /** `atMs` is performance.now() of its arrival. */
   onFrame(frame: Frame, atMs: number): void;
   onDiagnostics(diagnostics: Diagnostics): void;
+  onEvents(events: ShipEvents): void;
   onShip(ship: ShipReading): void;
   onReply(reply: Reply): void;
   onProblem(problem: Problem): void;
@@ -150,6 +158,7 @@ export class RoomConnection {
       this.#listener.onRoom(decodeRoom(body));
     });
     hear('/topic/diagnostics', ({ body }) => this.#listener.onDiagnostics(decodeDiagnostics(body)));
+    hear('/topic/events', ({ body }) => this.#listener.onEvents(decodeEvents(body)));
     hear('/user/queue/ship', ({ body }) => this.#listener.onShip(decodeShip(body)));
     hear(BODIES, (message) => this.#arrived(message));
     this.#become({ state: 'live', hz: 0, delayMs: 0, bytesPerSecond: 0 });

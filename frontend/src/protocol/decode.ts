@@ -1,5 +1,16 @@
-import type { BodyId, Vec2 } from './frame';
-import type { Boundary, Bounds, Diagnostics, Problem, Reply, Room, ShipReading, Threat } from './messages';
+import type { BodyId, BodyKind, Vec2 } from './frame';
+import type {
+  Boundary,
+  Bounds,
+  Diagnostics,
+  Problem,
+  Reply,
+  Room,
+  ShipEvent,
+  ShipEvents,
+  ShipReading,
+  Threat,
+} from './messages';
 import { BadMessage, parse, readArray, readNullable, readNumber, readObject, readString } from './read';
 
 /** Decodes the answer of `/app/room`. */
@@ -47,6 +58,41 @@ export function decodeDiagnostics(text: string): Diagnostics {
     gravitySolver: readNullable(from, 'gravitySolver', readString),
     forceError: readNullable(from, 'forceError', readNumber),
   };
+}
+
+/** Decodes `/topic/events`. */
+export function decodeEvents(text: string): ShipEvents {
+  const from = readObject(parse(text, 'events'), 'events');
+  return {
+    tick: readNumber(from, 'tick'),
+    unlisted: readNumber(from, 'unlisted'),
+    events: readArray(from.events, 'events').map(readEvent),
+  };
+}
+
+const EVENT_TYPES = ['arrived', 'collided', 'destroyed'] as const;
+const KINDS = ['planet', 'asteroid', 'ship'] as const;
+
+function readEvent(value: unknown): ShipEvent {
+  const event = readObject(value, 'event');
+  const type = EVENT_TYPES.find((known) => known === event.type);
+  if (!type) throw new BadMessage(`type must be ${EVENT_TYPES.join(', ')}, was ${event.type}`);
+  return {
+    number: readNumber(event, 'number'),
+    tick: readNumber(event, 'tick'),
+    time: readNumber(event, 'time'),
+    type,
+    ship: readId(event, 'ship'),
+    other: readNullable(event, 'other', readOther),
+    speed: readNullable(event, 'speed', readNumber),
+  };
+}
+
+function readOther(from: ReturnType<typeof readObject>, key: string): { id: BodyId; kind: BodyKind } {
+  const other = readObject(from[key], key);
+  const kind = KINDS.find((known) => known === other.kind);
+  if (!kind) throw new BadMessage(`kind must be ${KINDS.join(', ')}, was ${other.kind}`);
+  return { id: readId(other, 'id'), kind };
 }
 
 /** Decodes `/user/queue/ship`. */

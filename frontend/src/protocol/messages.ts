@@ -1,4 +1,4 @@
-import type { BodyId, Vec2 } from './frame';
+import type { BodyId, BodyKind, Vec2 } from './frame';
 
 export type Bounds = {
   readonly minX: number;
@@ -91,4 +91,28 @@ export type ShipReading = {
   /** Of its engine. */
   readonly acceleration: Vec2;
   readonly threat: Threat | null;
+};
+
+/** What can happen to a ship. */
+export type ShipEventType = 'arrived' | 'collided' | 'destroyed';
+
+export type ShipEvent = {
+  /** 1, 2, 3 … for the life of the room. */
+  readonly number: number;
+  readonly tick: number;
+  readonly time: number;
+  readonly type: ShipEventType;
+  readonly ship: BodyId;
+  /** What it ran into, which may be gone by now; null where it has arrived. */
+  readonly other: { readonly id: BodyId; readonly kind: BodyKind } | null;
+  /** With which the two closed; null where it has arrived. */
+  readonly speed: number | null;
+};
+
+/** The newest events of the room, the oldest first. */
+export type ShipEvents = {
+  readonly tick: number;
+  /** How many came too fast to be listed, since the room opened. */
+  readonly unlisted: number;
+  readonly events: readonly ShipEvent[];
 };

@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { encode } from './commands';
-import { decodeDiagnostics, decodeProblem, decodeReply, decodeRoom, decodeShip } from './decode';
+import { decodeDiagnostics, decodeEvents, decodeProblem, decodeReply, decodeRoom, decodeShip } from './decode';
 import { decodeFrame } from './decodeFrame';
 import type { BodyId } from './frame';
 
@@ -23,6 +23,7 @@ const proofs: Record<string, () => void> = {
   'room.json': () => expect(decodeRoom(golden('room.json'))).toEqual(parsed('room.json')),
   'reply.json': () => expect(decodeReply(golden('reply.json'))).toEqual(parsed('reply.json')),
   'problem.json': () => expect(decodeProblem(golden('problem.json'))).toEqual(parsed('problem.json')),
+  'events.json': () => expect(decodeEvents(golden('events.json'))).toEqual(parsed('events.json')),
   'ship.json': () => expect(decodeShip(golden('ship.json'))).toEqual(parsed('ship.json')),
   'select-body.json': () => {
     const send = encode({ type: 'select-body', id, selected: true });
@@ -90,6 +91,14 @@ describe('a message that breaks the treaty', () => {
     ['with_half_a_threat', reading({ threat: { id: 9, timeToContact: 1 } })],
   ])('a_ship_%s_is_rejected', (_name, text) => {
     expect(() => decodeShip(text)).toThrow(/must be/);
+  });
+
+  it.each([
+    ['of_an_unknown_type', golden('events.json').replace('"collided"', '"vanished"')],
+    ['with_a_comet', golden('events.json').replace('"asteroid"', '"comet"')],
+    ['of_no_ship', golden('events.json').replace('"ship": 21', '"ship": "21"')],
+  ])('an_event_%s_is_rejected', (_name, text) => {
+    expect(() => decodeEvents(text)).toThrow(/must be/);
   });
 
   it('a_ship_that_wanders_unthreatened_has_neither_target_nor_threat', () => {

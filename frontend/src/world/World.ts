@@ -1,5 +1,6 @@
 import type { BodyId, Vec2 } from '../protocol/frame';
 import type { Room, ShipReading } from '../protocol/messages';
+import { Events } from './Events';
 import { FrameBuffer } from './FrameBuffer';
 import { SHIP } from './FrameColumns';
 import { History } from './History';
@@ -17,6 +18,7 @@ export class World {
   readonly orders = new Orders();
   readonly notices = new Notices();
   readonly history = new History();
+  readonly events = new Events();
   readonly room = new Value<Room | null>(null);
   /** The newest reading of a ship; only {@link mainShip} knows whether it still matters. */
   readonly ship = new Value<ShipReading | null>(null);

@@ -1,5 +1,5 @@
 import type { Asteroid, BodyId, BodyState, Frame, Planet, Ship } from '../protocol/frame';
-import type { ShipReading } from '../protocol/messages';
+import type { Room, ShipReading } from '../protocol/messages';
 
 // Bodies and frames for tests: everything at rest at the origin, unless said otherwise.
 
@@ -23,6 +23,18 @@ export function asteroid(id: number, x = 0, y = 0, more: Partial<Asteroid> = {})
   ];
   return { ...still, id: bodyId(id), kind: 'asteroid', position: { x, y }, angle: 0, vertices, ...more };
 }
+
+export const testRoom: Room = {
+  room: 'public',
+  scene: 'test',
+  title: 'Test',
+  units: { length: 'units', mass: 'kg', time: 's' },
+  boundary: { kind: 'open' },
+  view: { minX: 0, minY: 0, maxX: 1, maxY: 1 },
+  tickRate: 150,
+  frameRate: 30,
+  maxBodies: 2000,
+};
 
 /** A ship that goes 84 to the right, wanders and has nothing in its way, unless said otherwise. */
 export function shipReading(id: number, more: Partial<ShipReading> = {}): ShipReading {

@@ -1,7 +1,7 @@
 import { act, render, screen } from '@testing-library/react';
 import userEvent from '@testing-library/user-event';
 import { beforeEach, expect, it, vi } from 'vitest';
-import { bodyId, frame, planet, ship } from '../../world/testFrames';
+import { bodyId, frame, planet, ship, testRoom } from '../../world/testFrames';
 import { World } from '../../world/World';
 import { InfoSection } from './InfoSection';
 import { Inspector } from './Inspector';
@@ -15,20 +15,8 @@ beforeEach(() => {
   world = new World();
 });
 
-const room = {
-  room: 'public',
-  scene: 'test',
-  title: 'Test',
-  units: { length: 'units', mass: 'kg', time: 's' },
-  boundary: { kind: 'open' },
-  view: { minX: 0, minY: 0, maxX: 1, maxY: 1 },
-  tickRate: 150,
-  frameRate: 30,
-  maxBodies: 2000,
-} as const;
-
 function show(...bodies: Parameters<typeof frame>[1][]) {
-  world.room.set(room);
+  world.room.set(testRoom);
   world.frames.accept(frame(5, ...bodies), 0);
   const onSelect = vi.fn();
   const onDelete = vi.fn();
@@ -103,7 +91,7 @@ it('arrows_walk_through_the_cards', async () => {
 });
 
 it('the_inspector_shows_the_figures_of_one_ship_and_its_order', () => {
-  world.room.set(room);
+  world.room.set(testRoom);
   world.frames.accept(frame(5, ship(17, 1, 2, { target: { x: 612, y: 208 } })), 0);
   world.selection.only(bodyId(17));
   render(<Inspector world={world} isOffline={false} onDelete={() => {}} />);

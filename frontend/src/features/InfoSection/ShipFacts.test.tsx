@@ -1,7 +1,7 @@
 import { render, screen } from '@testing-library/react';
 import { beforeEach, expect, it } from 'vitest';
 import type { ShipReading } from '../../protocol/messages';
-import { asteroid, bodyId, frame, ship, shipReading } from '../../world/testFrames';
+import { asteroid, bodyId, frame, ship, shipReading, testRoom } from '../../world/testFrames';
 import { World } from '../../world/World';
 import { Inspector } from './Inspector';
 
@@ -15,17 +15,7 @@ const threat = {
 
 beforeEach(() => {
   world = new World();
-  world.room.set({
-    room: 'public',
-    scene: 'test',
-    title: 'Test',
-    units: { length: 'units', mass: 'kg', time: 's' },
-    boundary: { kind: 'open' },
-    view: { minX: 0, minY: 0, maxX: 1, maxY: 1 },
-    tickRate: 150,
-    frameRate: 30,
-    maxBodies: 2000,
-  });
+  world.room.set(testRoom);
   world.frames.accept(frame(5, ship(17), ship(18), asteroid(9)), 0);
   world.selection.only(bodyId(17));
 });

@@ -1,8 +1,9 @@
 import { act, render, screen } from '@testing-library/react';
 import userEvent from '@testing-library/user-event';
 import { expect, it } from 'vitest';
-import { bodyId, frame, planet, ship } from '../../world/testFrames';
+import { bodyId, frame, planet, ship, testRoom } from '../../world/testFrames';
 import { World } from '../../world/World';
+import { EventList } from './EventList';
 import { OrderHint } from './OrderHint';
 import { Problems } from './Problems';
 import { ViewSwitches } from './ViewSwitches';
@@ -34,6 +35,23 @@ it('the_hint_speaks_only_while_there_is_a_ship_to_send', () => {
 
   act(() => world.selection.add(bodyId(1)));
   expect(screen.getByText(/empty space to send/)).toHaveTextContent('Click empty space to send 1 ship there');
+});
+
+it('events_are_listed_in_words_with_the_speed_of_a_crash', () => {
+  const world = new World();
+  world.room.set(testRoom);
+  render(<EventList world={world} />);
+  expect(screen.getByRole('log', { name: 'Events' })).toBeEmptyDOMElement();
+
+  const arrived = { number: 1, tick: 5, time: 0, type: 'arrived', ship: bodyId(17), other: null, speed: null } as const;
+  const other = { id: bodyId(9), kind: 'asteroid' } as const;
+  const events = [arrived, { ...arrived, number: 2, type: 'collided', other, speed: 12.5 } as const];
+  act(() => void world.events.take({ tick: 6, unlisted: 0, events }));
+
+  expect(screen.getAllByRole('listitem').map((item) => item.textContent)).toEqual([
+    'Ship 17 has arrived',
+    'Ship 17 hit Asteroid 912.50 u/s',
+  ]);
 });
 
 it('a_problem_is_said_at_once_and_can_be_dismissed', async () => {

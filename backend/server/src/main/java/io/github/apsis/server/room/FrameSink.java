@@ -11,6 +11,9 @@ public interface FrameSink {
     /** What the ships are doing that somebody has selected, ten times a second; not at all where nobody has. */
     void publish(WatchedShips ships);
 
+    /** What happened to ships, five times a second at most, and only when something has. */
+    void publish(ShipEvents events);
+
     /** How the room is doing, four times a second. */
     void publish(RoomReadings readings);
 }

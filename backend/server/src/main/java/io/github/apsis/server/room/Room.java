@@ -47,6 +47,7 @@ public final class Room {
 
     private static final int READINGS_PER_SECOND = 4;
     private static final int SHIPS_PER_SECOND = 10;
+    private static final int EVENTS_PER_SECOND = 5;
 
     private final RoomSpec spec;
     private final WorldSpec laws;
@@ -59,6 +60,8 @@ public final class Room {
     private final Appearances appearances = new Appearances();
     private final ConservationMeter conservation = new ConservationMeter();
     private final Encounters encounters = new Encounters();
+    private final Arrivals arrivals = new Arrivals();
+    private final EventLog events = new EventLog();
     private final CommandQueue<Runnable> commands = new CommandQueue<>(QUEUE_CAPACITY);
     private @Nullable WorldSnapshot now;
     private int departures; // of the world's, those that are done with
@@ -106,19 +109,32 @@ public final class Room {
         encounters.begin(world.tick() + 1);
         world.step();
         now = null;
-        encounters.end();
+        encounters.end().forEach(this::logCollision);
         forgetDeparted();
         bodies = world.count();
         double share = speed.getAsDouble();
         if (isDue(spec.framesPerSecond(), share)) {
+            arrivals.check(snapshot(), this::logArrival);
             sink.publish(new RoomFrame(snapshot(), appearances.copy(), selections.ofAnyone(), share));
         }
         if (isDue(SHIPS_PER_SECOND, share) && !selections.last().isEmpty()) {
             publishShips();
         }
+        if (isDue(EVENTS_PER_SECOND, share)) {
+            events.news(world.tick()).ifPresent(sink::publish);
+        }
         if (isDue(READINGS_PER_SECOND, share)) {
             sink.publish(readings());
         }
+    }
+
+    private void logCollision(Encounters.Collision collision) {
+        var encounter = new ShipEvent.Encounter(collision.other(), collision.otherKind(), collision.closingSpeed());
+        events.add(world.tick(), world.time(), ShipEvent.What.COLLIDED, collision.ship(), Optional.of(encounter));
+    }
+
+    private void logArrival(BodyId ship) {
+        events.add(world.tick(), world.time(), ShipEvent.What.ARRIVED, ship, Optional.empty());
     }
 
     private void publishShips() {
@@ -278,6 +294,7 @@ public final class Room {
         selections.forget(body);
         appearances.forget(body);
         encounters.remove(body);
+        arrivals.forget(body);
         bodiesChanged();
     }
 
@@ -308,6 +325,7 @@ public final class Room {
             Vec2 slot = slots.get(i);
             if (world.apply(new Command.SeekTarget(ship, slot.x(), slot.y())) instanceof CommandResult.Accepted) {
                 sent.add(ship);
+                arrivals.ordered(ship);
             }
         }
         return done(sent);

@@ -7,6 +7,7 @@ final class Destinations {
     static final String ENDPOINT = "/physics-engine-websocket";
     static final String BODIES = "/topic/bodies";
     static final String DIAGNOSTICS = "/topic/diagnostics";
+    static final String EVENTS = "/topic/events";
     static final String SHIP = "/user/queue/ship";
     static final String REPLIES = "/queue/replies";
     static final String ERRORS = "/queue/errors";
@@ -21,7 +22,7 @@ final class Destinations {
             "/app/move-selected-spaceships");
 
     /** Where only the newest message counts. */
-    static final Set<String> STREAMS = Set.of(BODIES, DIAGNOSTICS, SHIP);
+    static final Set<String> STREAMS = Set.of(BODIES, DIAGNOSTICS, EVENTS, SHIP);
 
     static final Set<String> ANSWERS = Set.of("/app/room", "/user" + REPLIES, "/user" + ERRORS);
 

@@ -5,7 +5,6 @@ import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.body.BodyKind;
 import io.github.apsis.protocol.BodyState;
 import io.github.apsis.protocol.Frame;
-import io.github.apsis.protocol.Kind;
 import io.github.apsis.protocol.Point;
 import io.github.apsis.scenes.shape.Outline;
 import io.github.apsis.server.room.Appearance;
@@ -37,7 +36,7 @@ final class FrameMapper {
         Appearance appearance = frame.appearances().get(id);
         return new BodyState(
                 id.value(),
-                toKind(world.kind(i)),
+                ProtocolMapper.toKind(world.kind(i)),
                 new Point(world.x(i), world.y(i)),
                 new Point(world.vx(i), world.vy(i)),
                 new Point(world.ax(i), world.ay(i)),
@@ -48,14 +47,6 @@ final class FrameMapper {
                 appearance == null ? null : vertices(appearance.outline()),
                 world.kind(i) == BodyKind.SHIP ? (Double) world.thrust(i) : null,
                 target(world, i));
-    }
-
-    private static Kind toKind(BodyKind kind) {
-        return switch (kind) {
-            case PLANET -> Kind.PLANET;
-            case ASTEROID -> Kind.ASTEROID;
-            case SHIP -> Kind.SHIP;
-        };
     }
 
     private static @Nullable Point target(WorldSnapshot world, int i) {

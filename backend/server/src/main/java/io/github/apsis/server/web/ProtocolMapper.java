@@ -2,6 +2,7 @@ package io.github.apsis.server.web;
 
 import io.github.apsis.engine.ShipReading;
 import io.github.apsis.engine.body.BodyId;
+import io.github.apsis.engine.body.BodyKind;
 import io.github.apsis.engine.collision.Boundary;
 import io.github.apsis.engine.diagnostics.Conserved;
 import io.github.apsis.engine.diagnostics.Drift;
@@ -9,6 +10,7 @@ import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Vec2;
 import io.github.apsis.protocol.ClientMessage;
 import io.github.apsis.protocol.Diagnostics;
+import io.github.apsis.protocol.Events;
 import io.github.apsis.protocol.Kind;
 import io.github.apsis.protocol.Point;
 import io.github.apsis.protocol.Reply;
@@ -23,6 +25,8 @@ import io.github.apsis.server.room.Pace;
 import io.github.apsis.server.room.Request;
 import io.github.apsis.server.room.RoomReadings;
 import io.github.apsis.server.room.RoomSpec;
+import io.github.apsis.server.room.ShipEvent;
+import io.github.apsis.server.room.ShipEvents;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
@@ -106,6 +110,34 @@ final class ProtocolMapper {
                 threat.body().value(),
                 threat.timeToContact(),
                 new ShipState.Passing(passing.time(), passing.gap(), toPoint(passing.ship()), toPoint(passing.body())));
+    }
+
+    static Events toEvents(ShipEvents events) {
+        return new Events(
+                events.tick(),
+                events.unlisted(),
+                events.events().stream().map(ProtocolMapper::toEvent).toList());
+    }
+
+    private static Events.Event toEvent(ShipEvent event) {
+        Optional<ShipEvent.Encounter> met = event.encounter();
+        return new Events.Event(
+                event.number(),
+                event.tick(),
+                event.time(),
+                Events.Type.valueOf(event.what().name()),
+                event.ship().value(),
+                met.map(other -> new Events.Other(other.other().value(), toKind(other.kind())))
+                        .orElse(null),
+                nullable(met.map(ShipEvent.Encounter::closingSpeed)));
+    }
+
+    static Kind toKind(BodyKind kind) {
+        return switch (kind) {
+            case PLANET -> Kind.PLANET;
+            case ASTEROID -> Kind.ASTEROID;
+            case SHIP -> Kind.SHIP;
+        };
     }
 
     static RoomInfo toRoomInfo(RoomSpec room) {

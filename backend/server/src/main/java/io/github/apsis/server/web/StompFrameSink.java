@@ -6,6 +6,7 @@ import io.github.apsis.protocol.json.FrameEncoder;
 import io.github.apsis.server.room.FrameSink;
 import io.github.apsis.server.room.RoomFrame;
 import io.github.apsis.server.room.RoomReadings;
+import io.github.apsis.server.room.ShipEvents;
 import io.github.apsis.server.room.WatchedShips;
 import java.util.IdentityHashMap;
 import java.util.Map;
@@ -56,6 +57,11 @@ final class StompFrameSink implements FrameSink, AutoCloseable {
         execute(() -> send(ships));
     }
 
+    @Override
+    public void publish(ShipEvents events) {
+        execute(() -> send(events));
+    }
+
     private void execute(Runnable task) {
         try {
             thread.execute(task);
@@ -81,6 +87,13 @@ final class StompFrameSink implements FrameSink, AutoCloseable {
         if (sessions.anySubscribed(Destinations.DIAGNOSTICS)) {
             var diagnostics = ProtocolMapper.toDiagnostics(readings, sessions.count());
             sessions.publish(Bulletin.plain(Destinations.DIAGNOSTICS, json.writeValueAsString(diagnostics)));
+        }
+    }
+
+    private void send(ShipEvents events) {
+        if (sessions.anySubscribed(Destinations.EVENTS)) {
+            String text = json.writeValueAsString(ProtocolMapper.toEvents(events));
+            sessions.publish(Bulletin.plain(Destinations.EVENTS, text));
         }
     }
 

@@ -8,6 +8,7 @@ final class RecordingSink implements FrameSink {
     final List<RoomFrame> frames = new ArrayList<>();
     final List<RoomReadings> readings = new ArrayList<>();
     final List<WatchedShips> ships = new ArrayList<>();
+    final List<ShipEvents> events = new ArrayList<>();
 
     @Override
     public void publish(RoomFrame frame) {
@@ -22,6 +23,11 @@ final class RecordingSink implements FrameSink {
     @Override
     public void publish(WatchedShips watched) {
         ships.add(watched);
+    }
+
+    @Override
+    public void publish(ShipEvents news) {
+        events.add(news);
     }
 
     RoomFrame last() {

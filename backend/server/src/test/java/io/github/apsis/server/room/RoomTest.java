@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.apsis.engine.ShipReading;
+import io.github.apsis.engine.WorldSpec;
 import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.body.BodyKind;
@@ -18,6 +19,7 @@ import io.github.apsis.server.room.Request.MoveSelectedShips;
 import io.github.apsis.server.room.Request.RandomBody;
 import io.github.apsis.server.room.Request.Remove;
 import io.github.apsis.server.room.Request.Select;
+import io.github.apsis.server.room.ShipEvent.What;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -179,6 +181,49 @@ class RoomTest {
 
         assertThat(sink.ships)
                 .allSatisfy(ships -> assertThat(of(ANN, ships).ship()).isEqualTo(SHIP));
+    }
+
+    @Test
+    void a_ship_that_arrives_is_told_of_once() {
+        submit(ANN, new Select(SHIP));
+        submit(ANN, new MoveSelectedShips(-20, 30));
+
+        ticks(10 * TickLoop.TICKS_PER_SECOND);
+
+        assertThat(sink.events).hasSize(1);
+        assertThat(sink.events.get(0).events()).singleElement().satisfies(event -> {
+            assertThat(event.what()).isEqualTo(What.ARRIVED);
+            assertThat(event.ship()).isEqualTo(SHIP);
+            assertThat(event.encounter()).isEmpty();
+        });
+    }
+
+    @Test
+    void a_rock_that_hits_a_ship_is_an_event_with_its_name_and_speed() {
+        // The rock is too fast for the ship to get away.
+        Room dangerous = room(
+                new TestScene(
+                        TestScene.ship(0, 0), BodyDef.asteroid(-190, 0, 3, 5).moving(3000, 0)) {
+                    @Override
+                    WorldSpec.Builder laws(WorldSpec.Builder walls) {
+                        return walls.contacts(0.8);
+                    }
+                },
+                6);
+
+        for (int i = 0; i < TickLoop.TICKS_PER_SECOND; i++) {
+            dangerous.tick();
+        }
+
+        assertThat(dangerous.ships().collisions()).isPositive();
+        ShipEvent first = sink.events.get(0).events().get(0);
+        assertThat(first.what()).isEqualTo(What.COLLIDED);
+        assertThat(first.ship()).isEqualTo(new BodyId(1));
+        ShipEvent.Encounter met = first.encounter().orElseThrow();
+        assertThat(met.other()).isEqualTo(new BodyId(2));
+        assertThat(met.kind()).isEqualTo(BodyKind.ASTEROID);
+        assertThat(met.closingSpeed())
+                .isCloseTo(3000, within(100.0)); // the ship has fled for a moment, at 200 u/s² and no faster than 100
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.apsis.protocol.BodyState;
 import io.github.apsis.protocol.ClientMessage;
 import io.github.apsis.protocol.Diagnostics;
+import io.github.apsis.protocol.Events;
 import io.github.apsis.protocol.Frame;
 import io.github.apsis.protocol.Problem;
 import io.github.apsis.protocol.Reply;
@@ -45,6 +46,7 @@ class TreatyTest {
     @ParameterizedTest
     @CsvSource({
         "diagnostics.json, Diagnostics",
+        "events.json, Events",
         "problem.json, Problem",
         "reply.json, Reply",
         "room.json, RoomInfo",
@@ -52,11 +54,12 @@ class TreatyTest {
     })
     void answers_are_written_as_the_treaty_says(String file, String type) throws Exception {
         String golden = Goldens.read(file);
-        Class<?> record =
-                List.of(Diagnostics.class, Problem.class, Reply.class, RoomInfo.class, ShipState.class).stream()
-                        .filter(candidate -> candidate.getSimpleName().equals(type))
-                        .findFirst()
-                        .orElseThrow();
+        Class<?> record = List.of(
+                        Diagnostics.class, Events.class, Problem.class, Reply.class, RoomInfo.class, ShipState.class)
+                .stream()
+                .filter(candidate -> candidate.getSimpleName().equals(type))
+                .findFirst()
+                .orElseThrow();
 
         String written = json.writeValueAsString(json.readValue(golden, record));
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.apsis.protocol.BodyState;
 import io.github.apsis.protocol.Diagnostics;
+import io.github.apsis.protocol.Events;
 import io.github.apsis.protocol.Kind;
 import io.github.apsis.protocol.Point;
 import io.github.apsis.protocol.Reply;
@@ -197,6 +198,37 @@ class WireTest {
             assertThat(seeking.tick()).isGreaterThan(wandering.tick());
             assertThat(others).isEmpty();
             client.send("/app/delete-body", "{\"id\":" + ship + "}");
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void an_arrival_reaches_every_client(Transport transport) throws Exception {
+        BlockingQueue<Heard> heard = new LinkedBlockingQueue<>();
+        try (TestClient client = TestClient.connect(port);
+                TestClient bystander = TestClient.connect(transport, port)) {
+            bystander.hear("/topic/events", heard::add);
+            client.send("/app/random-spaceship");
+            long ship = client.reply().ids().get(0);
+            client.send("/app/select-body", "{\"id\":" + ship + ",\"selected\":true}");
+            client.reply();
+            client.send("/app/move-selected-spaceships", "{\"x\":800,\"y\":-800}"); // a corner without rocks
+
+            assertThat(arrival(heard, ship).other()).isNull();
+            client.send("/app/delete-body", "{\"id\":" + ship + "}");
+        }
+    }
+
+    private Events.Event arrival(BlockingQueue<Heard> heard, long ship) throws Exception {
+        while (true) {
+            Heard message = heard.poll(3 * TestClient.PATIENCE_SECONDS, TimeUnit.SECONDS);
+            assertThat(message).as("the ship has 20 s to go").isNotNull();
+            for (Events.Event event :
+                    json.readValue(message.body(), Events.class).events()) {
+                if (event.ship() == ship && event.type() == Events.Type.ARRIVED) {
+                    return event;
+                }
+            }
         }
     }
 
