@@ -27,6 +27,8 @@ export function decodeRoom(text: string): Room {
     tickRate: readNumber(room, 'tickRate'),
     frameRate: readNumber(room, 'frameRate'),
     maxBodies: readNumber(room, 'maxBodies'),
+    // An older server does not tell: there they bounce.
+    ships: room.ships === 'mortal' ? 'mortal' : 'bounce',
   };
 }
 

@@ -23,6 +23,8 @@ export type Room = {
   readonly tickRate: number;
   readonly frameRate: number;
   readonly maxBodies: number;
+  /** What becomes of a ship that runs into another body: it goes on, or is gone. */
+  readonly ships: 'bounce' | 'mortal';
 };
 
 /** How the room is doing, a few times a second. */

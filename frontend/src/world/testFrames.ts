@@ -34,6 +34,7 @@ export const testRoom: Room = {
   tickRate: 150,
   frameRate: 30,
   maxBodies: 2000,
+  ships: 'bounce',
 };
 
 /** A ship that goes 84 to the right, wanders and has nothing in its way, unless said otherwise. */

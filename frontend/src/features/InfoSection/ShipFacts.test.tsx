@@ -59,6 +59,13 @@ it('nobody_in_the_way_and_no_order_are_said_in_words', () => {
   expect(screen.queryByText('Passing')).toBeNull();
 });
 
+it('where_ships_are_mortal_that_is_said', () => {
+  world.room.set({ ...testRoom, ships: 'mortal' });
+  show(shipReading(17));
+
+  expect(row('If it hits')).toBe('it is gone');
+});
+
 it('a_threat_that_has_gone_meanwhile_is_still_named', () => {
   show(shipReading(17, { threat: { ...threat, id: bodyId(99) } }));
 

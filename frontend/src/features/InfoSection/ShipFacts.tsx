@@ -30,6 +30,7 @@ export function ShipFacts({ world }: { world: World }) {
       ) : (
         <Fact label="Threat" value={<Faint text="nothing in the way" />} />
       )}
+      {world.room.current()?.ships === 'mortal' && <Fact label="If it hits" value="it is gone" />}
     </>
   );
 }

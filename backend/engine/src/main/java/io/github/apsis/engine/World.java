@@ -59,6 +59,7 @@ public final class World implements AutoCloseable {
     private final Steering steering;
     private final Stepper stepper;
     private final List<Departure> departures = new ArrayList<>();
+    private final @Nullable Wrecks wrecks; // null where ships go on
     private long tick;
     private boolean numbersKnown; // of all bodies since the last tick: only what is added may be beyond them
 
@@ -69,11 +70,16 @@ public final class World implements AutoCloseable {
         forces = new Forces(lawsOf(gravity, spec));
         steering = steeringOf(spec);
         stepper = stepperOf(spec, forces);
+        wrecks = spec.shipsAreMortal() ? new Wrecks(bodies) : null;
+        if (wrecks != null) {
+            stepper.onBounce(wrecks);
+        }
     }
 
     /**
      * Advances by one tick: ships decide, bodies move, contacts bend their paths, the edge of the world has its say. What is
-     * too far or too fast for numbers then leaves the world: {@link #departures}. A tick of no length changes no body.
+     * too far or too fast for numbers then leaves the world, and so do mortal ships that ran into something: {@link #departures}. A
+     * tick of no length changes no body.
      *
      * @throws IllegalStateException when a body is nowhere (NaN); the world must not be used any more
      */
@@ -87,6 +93,9 @@ public final class World implements AutoCloseable {
             stepper.step(bodies, time());
         }
         tick++;
+        if (wrecks != null) {
+            wrecks.clear(tick, departures);
+        }
         if (!bodies.areWithinNumbers()) {
             requireNumbers();
             letGo();
@@ -105,7 +114,11 @@ public final class World implements AutoCloseable {
 
     /** Tells a listener of every bounce from now on; there is one listener, the last. */
     public void onBounce(ContactListener listener) {
-        stepper.onBounce(listener);
+        if (wrecks != null) {
+            wrecks.tell(listener);
+        } else {
+            stepper.onBounce(listener);
+        }
     }
 
     private void decide() {

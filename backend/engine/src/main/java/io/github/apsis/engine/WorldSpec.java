@@ -38,6 +38,7 @@ public final class WorldSpec {
     private final ContactMode contactMode;
     private final Boundary boundary;
     private final SteeringSpec steering;
+    private final boolean mortalShips;
     private final double dt;
     private final long seed;
     private final int maxBodies;
@@ -54,6 +55,7 @@ public final class WorldSpec {
         contactMode = builder.contactMode;
         boundary = builder.boundary;
         steering = builder.steering;
+        mortalShips = builder.mortalShips;
         dt = builder.dt;
         seed = builder.seed;
         maxBodies = builder.maxBodies;
@@ -115,6 +117,11 @@ public final class WorldSpec {
     /** How ships steer. */
     public SteeringSpec steering() {
         return steering;
+    }
+
+    /** Whether a ship that runs into another body leaves the world; otherwise it bounces and goes on. */
+    public boolean shipsAreMortal() {
+        return mortalShips;
     }
 
     /** Length of a tick, time. */
@@ -184,6 +191,7 @@ public final class WorldSpec {
         private ContactMode contactMode = ContactMode.TICK;
         private Boundary boundary = new Boundary.Open();
         private SteeringSpec steering = SteeringSpec.DEFAULT;
+        private boolean mortalShips;
         private double dt = DEFAULT_DT;
         private long seed;
         private int maxBodies = DEFAULT_MAX_BODIES;
@@ -305,6 +313,16 @@ public final class WorldSpec {
             return this;
         }
 
+        /**
+         * Ships do not survive a bounce with another body: when the tick is over they leave the world, as a {@link Departure}. What they
+         * hit has got its impulse; energy and momentum leave with them. Walls do no harm, and what lies at rest against a ship from
+         * the beginning does none either.
+         */
+        public Builder mortalShips() {
+            this.mortalShips = true;
+            return this;
+        }
+
         /** Length of a tick, in the time unit of the scene; with 0 the world stands still. */
         public Builder dt(double tick) {
             if (!(tick >= 0) || Double.isInfinite(tick)) {
@@ -352,6 +370,10 @@ public final class WorldSpec {
             }
             if (contactMode == ContactMode.EXACT && integration != Integration.ADAPTIVE) {
                 requireParabolas();
+            }
+            if (mortalShips && restitution.isEmpty()) {
+                throw new IllegalStateException(
+                        "mortal ships need something to run into: call contacts(restitution) too, or leave out mortalShips");
             }
             return new WorldSpec(this);
         }

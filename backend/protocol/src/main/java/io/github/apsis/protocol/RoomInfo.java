@@ -1,5 +1,6 @@
 package io.github.apsis.protocol;
 
+import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
 /** What a client must know about a room once: its scene, its units, its edge and its limits. */
@@ -12,7 +13,23 @@ public record RoomInfo(
         Box view,
         int tickRate,
         int frameRate,
-        int maxBodies) {
+        int maxBodies,
+        Ships ships) {
+
+    /** What becomes of a ship that runs into another body. Travels in lower case. */
+    public enum Ships {
+        /** It goes on. */
+        BOUNCE,
+        /** It is gone. */
+        MORTAL;
+
+        private final String wireName = name().toLowerCase(Locale.ROOT);
+
+        @Override
+        public String toString() {
+            return wireName;
+        }
+    }
 
     /** Names of the units, for people. */
     public record Units(String length, String mass, String time) {}

@@ -12,7 +12,8 @@ import java.util.List;
 
 /**
  * Asteroids that drift through a world without edge or gravity, and a few ships, one in twenty, that find their way between
- * them. The world repeats itself; it grows with the number of bodies, so the field is as dense for any number.
+ * them. The world repeats itself; it grows with the number of bodies, so the field is as dense for any number. In its mortal variant
+ * a ship that runs into something is gone.
  */
 final class AsteroidField implements ScalableScene {
     private static final double SPACING = 75; // length; each body has a square of this side on average
@@ -27,14 +28,24 @@ final class AsteroidField implements ScalableScene {
     private static final ShipLimits SHIP = new ShipLimits(120, 2400);
     private static final double GAP = 3; // between rims at the start
 
-    private final int count;
+    private static final int USUAL_COUNT = 250;
 
-    AsteroidField() {
-        this(250);
+    private final int count;
+    private final Ships ships;
+
+    /** What becomes of ships that run into something. */
+    enum Ships {
+        BOUNCE,
+        MORTAL
     }
 
-    private AsteroidField(int count) {
+    AsteroidField(Ships ships) {
+        this(USUAL_COUNT, ships);
+    }
+
+    private AsteroidField(int count, Ships ships) {
         this.count = count;
+        this.ships = ships;
     }
 
     @Override
@@ -42,17 +53,17 @@ final class AsteroidField implements ScalableScene {
         if (bodies < 20) {
             throw new IllegalArgumentException("an asteroid field needs 20 bodies or more, was " + bodies);
         }
-        return new AsteroidField(bodies);
+        return new AsteroidField(bodies, ships);
     }
 
     @Override
     public String name() {
-        return "asteroid-field";
+        return ships == Ships.MORTAL ? "mortal-field" : "asteroid-field";
     }
 
     @Override
     public String title() {
-        return "Asteroid field";
+        return ships == Ships.MORTAL ? "Asteroid field, mortal ships" : "Asteroid field";
     }
 
     @Override
@@ -72,20 +83,22 @@ final class AsteroidField implements ScalableScene {
 
     @Override
     public WorldSpec spec(long seed) {
-        return WorldSpec.builder().contacts(0.8).periodic(box()).seed(seed).build();
+        WorldSpec.Builder laws =
+                WorldSpec.builder().contacts(0.8).periodic(box()).seed(seed);
+        return (ships == Ships.MORTAL ? laws.mortalShips() : laws).build();
     }
 
     @Override
     public List<SceneBody> bodies(long seed) {
         Rng rng = new Rng(seed);
         FreeSpace space = new FreeSpace(box(), spec(seed).boundary(), SPACING);
-        int ships = count / 20;
+        int swarm = count / 20;
         List<SceneBody> bodies = new ArrayList<>(count);
-        for (int i = 0; i < count - ships; i++) {
+        for (int i = 0; i < count - swarm; i++) {
             bodies.add(strew(Asteroids.random(rng, asteroidRadius(rng), DENSITY, SPIN), rng, FASTEST, space));
         }
         SceneBody ship = SceneBody.plain(BodyDef.ship(0, 0, SHIP_MASS, SHIP_RADIUS, SHIP));
-        for (int i = 0; i < ships; i++) {
+        for (int i = 0; i < swarm; i++) {
             bodies.add(strew(ship, rng, CRUISE, space));
         }
         return bodies;

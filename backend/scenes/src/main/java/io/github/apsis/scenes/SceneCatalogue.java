@@ -8,7 +8,8 @@ public final class SceneCatalogue {
     private static final List<Scene> SCENES = List.of(
             new BeltAndSwarm(),
             new SolarSystem(),
-            new AsteroidField(),
+            new AsteroidField(AsteroidField.Ships.BOUNCE),
+            new AsteroidField(AsteroidField.Ships.MORTAL),
             new ElasticGas(),
             new TwoBodies(),
             new FigureEight(),

@@ -65,6 +65,7 @@ public final class Room {
     private final CommandQueue<Runnable> commands = new CommandQueue<>(QUEUE_CAPACITY);
     private @Nullable WorldSnapshot now;
     private int departures; // of the world's, those that are done with
+    private boolean hasWarned;
     private volatile int bodies;
     private volatile boolean closed;
 
@@ -109,7 +110,7 @@ public final class Room {
         encounters.begin(world.tick() + 1);
         world.step();
         now = null;
-        encounters.end().forEach(this::logCollision);
+        logCollisions(encounters.end());
         forgetDeparted();
         bodies = world.count();
         double share = speed.getAsDouble();
@@ -128,9 +129,25 @@ public final class Room {
         }
     }
 
-    private void logCollision(Encounters.Collision collision) {
-        var encounter = new ShipEvent.Encounter(collision.other(), collision.otherKind(), collision.closingSpeed());
-        events.add(world.tick(), world.time(), ShipEvent.What.COLLIDED, collision.ship(), Optional.of(encounter));
+    /** Of two mortal ships that meet, each has an event of its own: both are gone. */
+    private void logCollisions(List<Encounters.Collision> collisions) {
+        for (Encounters.Collision collision : collisions) {
+            BodyId ship = collision.ship();
+            BodyId other = collision.other();
+            if (!laws.shipsAreMortal()) {
+                log(ShipEvent.What.COLLIDED, ship, collision, other, collision.otherKind());
+                continue;
+            }
+            log(ShipEvent.What.DESTROYED, ship, collision, other, collision.otherKind());
+            if (collision.otherKind() == BodyKind.SHIP) {
+                log(ShipEvent.What.DESTROYED, other, collision, ship, BodyKind.SHIP);
+            }
+        }
+    }
+
+    private void log(ShipEvent.What what, BodyId ship, Encounters.Collision collision, BodyId other, BodyKind kind) {
+        var encounter = new ShipEvent.Encounter(other, kind, collision.closingSpeed());
+        events.add(world.tick(), world.time(), what, ship, Optional.of(encounter));
     }
 
     private void logArrival(BodyId ship) {
@@ -152,7 +169,8 @@ public final class Room {
         List<Departure> all = world.departures();
         for (; departures < all.size(); departures++) {
             Departure departure = all.get(departures);
-            if (departures == 0) {
+            if (departure.reason() != Departure.Reason.COLLIDED && !hasWarned) {
+                hasWarned = true;
                 log.warn(
                         "room {} lost body {} at tick {}: {}; more will not be logged",
                         spec.id(),

@@ -152,7 +152,8 @@ final class ProtocolMapper {
                 toBox(scene.view()),
                 TICK_RATE,
                 room.framesPerSecond(),
-                room.maxBodies());
+                room.maxBodies(),
+                scene.spec(room.seed()).shipsAreMortal() ? RoomInfo.Ships.MORTAL : RoomInfo.Ships.BOUNCE);
     }
 
     private static RoomInfo.Edge toEdge(Boundary boundary) {

@@ -2,6 +2,7 @@ package io.github.apsis.server.room;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.tuple;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.apsis.engine.ShipReading;
@@ -23,6 +24,7 @@ import io.github.apsis.server.room.ShipEvent.What;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -224,6 +226,37 @@ class RoomTest {
         assertThat(met.kind()).isEqualTo(BodyKind.ASTEROID);
         assertThat(met.closingSpeed())
                 .isCloseTo(3000, within(100.0)); // the ship has fled for a moment, at 200 u/s² and no faster than 100
+    }
+
+    @Test
+    void mortal_ships_that_meet_are_two_events_and_nobody_s_selection() {
+        Room deadly = room(
+                new TestScene(TestScene.ship(0, 0), TestScene.ship(-100, 0).moving(30_000, 0)) {
+                    @Override
+                    WorldSpec.Builder laws(WorldSpec.Builder walls) {
+                        return walls.contacts(0.8).mortalShips();
+                    }
+                },
+                6);
+        deadly.submit(ANN, new Select(SHIP), outcomes::add);
+
+        for (int i = 0; i < TickLoop.TICKS_PER_SECOND; i++) {
+            deadly.tick();
+        }
+
+        assertThat(sink.last().world().count()).isZero();
+        assertThat(sink.last().selected()).isEmpty();
+        assertThat(sink.ships).isEmpty();
+        assertThat(deadly.ships().collisions()).isEqualTo(1);
+        assertThat(sink.events).hasSize(1);
+        assertThat(sink.events.get(0).events())
+                .extracting(ShipEvent::what, ShipEvent::ship, event -> event.encounter()
+                        .map(ShipEvent.Encounter::other))
+                .containsExactlyInAnyOrder(
+                        tuple(What.DESTROYED, SHIP, Optional.of(OTHER_SHIP)),
+                        tuple(What.DESTROYED, OTHER_SHIP, Optional.of(SHIP)));
+        RoomReadings last = sink.readings.get(sink.readings.size() - 1);
+        assertThat(last.conservation().orElseThrow().drift().momentum()).isZero();
     }
 
     @Test
