@@ -11,6 +11,7 @@ import {
   pixelsOf,
   SELECT,
   stage,
+  THREAT,
   test,
 } from './test';
 
@@ -95,6 +96,35 @@ test('three_ships_are_sent_to_a_point_get_there_and_stop', async ({ page }) => {
       .toBeLessThan(60);
     await expect.poll(async () => (await figure(page, 'Speed'))[0], { timeout: 20_000 }).toBeLessThan(8);
   }
+});
+
+test('a_ship_tells_what_it_is_about_to_do_and_the_stage_shows_it', async ({ page }) => {
+  test.setTimeout(120_000);
+  // Threats come and go, and not every ship has one: on to the next until one is told of and drawn.
+  await expect(async () => {
+    await page.keyboard.press('n');
+    await expect(page.getByText(/ clear in /)).toBeVisible({ timeout: 1000 });
+    expect(await pixelsOf(page, THREAT)).toBeGreaterThan(20);
+  }).toPass({ timeout: 90_000 });
+
+  await page.getByRole('button', { name: 'Plan', exact: true }).click();
+  await expect.poll(() => pixelsOf(page, THREAT)).toBe(0);
+});
+
+test('an_arrival_is_listed_and_announced', async ({ page }) => {
+  test.setTimeout(120_000);
+  await page.keyboard.press('n');
+  await expect(page.getByText('none, it wanders')).toBeVisible();
+  await page.keyboard.press('f');
+  const ship = await page.getByRole('heading', { name: /^Ship/ }).textContent();
+  await page.keyboard.press('t');
+  for (let i = 0; i < 12; i++) await stage(page).press('ArrowRight');
+  for (let i = 0; i < 12; i++) await stage(page).press('ArrowUp');
+  await stage(page).press('Enter');
+
+  const arrived = `${ship} has arrived`;
+  await expect(page.getByRole('log', { name: 'Events' })).toContainText(arrived, { timeout: 60_000 });
+  await expect(page.getByRole('status').filter({ hasText: arrived })).toBeAttached();
 });
 
 test('a_click_outside_the_world_is_refused_and_says_why', async ({ page }) => {

@@ -42,6 +42,14 @@ for (const size of SIZES) {
       await check(page, 'live');
     });
 
+    test('nothing_is_wrong_with_a_ship_that_tells_its_plan', async ({ page }) => {
+      await openLive(page, live.url);
+      await page.keyboard.press('n');
+      await expect(page.getByText(/^(Course|Detour)$/)).toBeVisible();
+      await expect(page.getByText(/ at \d+°/).first()).toBeVisible();
+      await check(page, 'plan');
+    });
+
     test('nothing_is_wrong_in_the_empty_state', async ({ page }) => {
       await openLive(page, empty.url);
       await expect(page.getByRole('heading', { name: 'No bodies yet' })).toBeVisible();

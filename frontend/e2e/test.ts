@@ -112,3 +112,4 @@ function isEmpty(data: readonly number[], width: number, x: number, y: number): 
 
 export const SELECT = [0xfd, 0xc3, 0x0d] as const;
 export const ORDER = [0xed, 0x54, 0xb0] as const;
+export const THREAT = [0xff, 0x3b, 0x1f] as const;

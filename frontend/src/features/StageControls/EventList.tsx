@@ -14,17 +14,17 @@ export function EventList({ world }: { world: World }) {
   const room = useSyncExternalStore(world.room.subscribe, world.room.current);
   const unit = room ? `${unitSymbol(room.units.length)}/${unitSymbol(room.units.time)}` : '';
   return (
-    <ol role="log" aria-label="Events" aria-live="off" className={styles.events}>
+    <div role="log" aria-label="Events" aria-live="off" className={styles.events}>
       {events.map((event) => (
-        <li key={event.number} className={styles.event} data-type={event.type}>
+        <p key={event.number} className={styles.event} data-type={event.type}>
           {eventText(event)}
           {event.speed !== null && (
             <span className={styles.eventSpeed}>
               {formatNumber(event.speed)} {unit}
             </span>
           )}
-        </li>
+        </p>
       ))}
-    </ol>
+    </div>
   );
 }

@@ -198,6 +198,11 @@ public final class Room {
         return encounters.tally();
     }
 
+    /** A hash of the state of its world; for the tick thread, and for those who know that it stands still. */
+    long worldHash() {
+        return world.stateHash();
+    }
+
     long worldTick() {
         return world.tick();
     }

@@ -11,6 +11,8 @@ import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.body.BodyKind;
 import io.github.apsis.engine.math.Vec2;
+import io.github.apsis.scenes.Scene;
+import io.github.apsis.scenes.SceneCatalogue;
 import io.github.apsis.server.room.Outcome.Done;
 import io.github.apsis.server.room.Outcome.Reason;
 import io.github.apsis.server.room.Outcome.Refused;
@@ -257,6 +259,37 @@ class RoomTest {
                         tuple(What.DESTROYED, OTHER_SHIP, Optional.of(SHIP)));
         RoomReadings last = sink.readings.get(sink.readings.size() - 1);
         assertThat(last.conservation().orElseThrow().drift().momentum()).isZero();
+    }
+
+    @Test
+    void watching_changes_nothing_of_what_is_watched() {
+        Scene scene = SceneCatalogue.byName("belt-and-swarm").orElseThrow();
+        Room watched = new Room(new RoomSpec("watched", scene, 1, 150, 300), sink, () -> Pace.AT_START, () -> 1);
+        Room alone =
+                new Room(new RoomSpec("alone", scene, 1, 1, 300), new RecordingSink(), () -> Pace.AT_START, () -> 0.4);
+        BodyId ship = new BodyId(230);
+
+        for (int tick = 0; tick < 5 * TickLoop.TICKS_PER_SECOND; tick++) {
+            if (tick == 100) {
+                watched.submit(BOB, new Select(new BodyId(231)), outcomes::add);
+            }
+            if (tick == 200) {
+                for (Room each : List.of(watched, alone)) {
+                    each.submit(ANN, new Select(ship), outcomes::add);
+                    each.submit(ANN, new MoveSelectedShips(300, -200), outcomes::add);
+                    each.submit(ANN, new AddRandom(RandomBody.ANY), outcomes::add);
+                }
+            }
+            if (tick == 300) {
+                alone.leave(ANN);
+            }
+            watched.tick();
+            alone.tick();
+        }
+
+        assertThat(sink.ships).isNotEmpty();
+        assertThat(outcomes).allMatch(Done.class::isInstance);
+        assertThat(watched.worldHash()).isEqualTo(alone.worldHash());
     }
 
     @Test
