@@ -43,12 +43,14 @@ function drawCourse(
 ): void {
   const { at, newest } = world.frames;
   const end = threat?.passing.ship ?? { x: at.x[slot]! + AHEAD * course.x, y: at.y[slot]! + AHEAD * course.y };
+  const radius = drawnRadius(newest, slot, camera.pixelsPerUnit);
+  if (Math.hypot(camera.toScreenX(end.x) - from.x, camera.toScreenY(end.y) - from.y) < radius) return; // it stays
   g.strokeStyle = palette.ship;
   g.lineWidth = 1.2;
   g.setLineDash([7, 4]);
   drawLine(g, from.x, from.y, camera.toScreenX(end.x), camera.toScreenY(end.y));
   g.setLineDash([]);
-  drawRing(g, camera.toScreenX(end.x), camera.toScreenY(end.y), drawnRadius(newest, slot, camera.pixelsPerUnit));
+  drawRing(g, camera.toScreenX(end.x), camera.toScreenY(end.y), radius);
 }
 
 /** A ring with four ticks round the body, its way to the closest approach, and the line between the two there. */

@@ -45,6 +45,12 @@ it('a_ship_that_gives_way_shows_for_whom_and_how_they_will_pass', () => {
   expect(row('Passing')).toBe('6.3 u clear in 1.8 s');
 });
 
+it('a_ship_at_rest_has_no_direction', () => {
+  show(shipReading(17, { course: { x: 0.01, y: 0.02 } }));
+
+  expect(row('Course')).toBe('0 u/s');
+});
+
 it('a_contact_that_cannot_be_avoided_is_called_so', () => {
   show(shipReading(17, { threat: { ...threat, passing: { ...threat.passing, gap: -2 } } }));
 

@@ -61,10 +61,12 @@ function Faint({ text }: { text: string }) {
   return <span className={styles.unit}>{text}</span>;
 }
 
-/** "84.2 at 23°": counter-clockwise from the right of the stage. */
+/** "84.2 at 23°": counter-clockwise from the right of the stage. What is as good as nothing has no direction. */
 function vector({ x, y }: Vec2): string {
+  const size = formatShort(Math.hypot(x, y));
+  if (size === '0') return size;
   const degrees = (Math.round((Math.atan2(y, x) * 180) / Math.PI) + 360) % 360;
-  return `${formatShort(Math.hypot(x, y))} at ${degrees}°`;
+  return `${size} at ${degrees}°`;
 }
 
 /** One decimal: these figures change too fast for more. */

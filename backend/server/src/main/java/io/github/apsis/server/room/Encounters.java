@@ -60,23 +60,18 @@ final class Encounters implements ContactListener {
 
     @Override
     public void bounced(double time, long first, long second, double closingSpeed, double impulse) {
-        boolean isShip = kinds.get(first) == BodyKind.SHIP;
-        BodyKind partner = kinds.get(second);
-        if (partner == null || !isShip && partner != BodyKind.SHIP) {
-            return; // a wall, or none of ours
+        BodyKind firstKind = kinds.get(first);
+        BodyKind secondKind = kinds.get(second); // null for a wall
+        if (firstKind == null || secondKind == null || firstKind != BodyKind.SHIP && secondKind != BodyKind.SHIP) {
+            return;
         }
         Long last = lastBounce.put(new Pair(first, second), tick);
         if (last == null || tick - last > APART_TICKS) {
             fresh.add(
-                    isShip
-                            ? new Collision(new BodyId(first), new BodyId(second), partner, closingSpeed)
-                            : new Collision(new BodyId(second), new BodyId(first), kindOf(first), closingSpeed));
+                    firstKind == BodyKind.SHIP
+                            ? new Collision(new BodyId(first), new BodyId(second), secondKind, closingSpeed)
+                            : new Collision(new BodyId(second), new BodyId(first), firstKind, closingSpeed));
         }
-    }
-
-    private BodyKind kindOf(long body) {
-        BodyKind kind = kinds.get(body);
-        return kind == null ? BodyKind.ASTEROID : kind;
     }
 
     /** The tick is over: what began in it. */

@@ -59,9 +59,7 @@ public final class Room {
     private final Selections selections = new Selections();
     private final Appearances appearances = new Appearances();
     private final ConservationMeter conservation = new ConservationMeter();
-    private final Encounters encounters = new Encounters();
-    private final Arrivals arrivals = new Arrivals();
-    private final EventLog events = new EventLog();
+    private final ShipChronicle chronicle;
     private final CommandQueue<Runnable> commands = new CommandQueue<>(QUEUE_CAPACITY);
     private @Nullable WorldSnapshot now;
     private int departures; // of the world's, those that are done with
@@ -81,7 +79,8 @@ public final class Room {
         this.laws = spec.scene().spec(spec.seed());
         this.world = new World(laws);
         this.randomBodies = new RandomBodies(spec.scene().palette(), laws, spec.seed());
-        world.onBounce(encounters);
+        this.chronicle = new ShipChronicle(laws.shipsAreMortal());
+        world.onBounce(chronicle.listener());
         spec.scene().bodies(spec.seed()).forEach(body -> welcome(world.add(body.def()), body));
     }
 
@@ -107,51 +106,26 @@ public final class Room {
     /** One tick: what has arrived, then physics, then what is due to be seen. */
     void tick() {
         commands.drain(MOST_COMMANDS_PER_TICK, Runnable::run);
-        encounters.begin(world.tick() + 1);
+        chronicle.begin(world.tick() + 1);
         world.step();
         now = null;
-        logCollisions(encounters.end());
+        chronicle.end(world.tick(), world.time());
         forgetDeparted();
         bodies = world.count();
         double share = speed.getAsDouble();
         if (isDue(spec.framesPerSecond(), share)) {
-            arrivals.check(snapshot(), this::logArrival);
+            chronicle.look(snapshot());
             sink.publish(new RoomFrame(snapshot(), appearances.copy(), selections.ofAnyone(), share));
         }
         if (isDue(SHIPS_PER_SECOND, share) && !selections.last().isEmpty()) {
             publishShips();
         }
         if (isDue(EVENTS_PER_SECOND, share)) {
-            events.news(world.tick()).ifPresent(sink::publish);
+            chronicle.news(world.tick()).ifPresent(sink::publish);
         }
         if (isDue(READINGS_PER_SECOND, share)) {
             sink.publish(readings());
         }
-    }
-
-    /** Of two mortal ships that meet, each has an event of its own: both are gone. */
-    private void logCollisions(List<Encounters.Collision> collisions) {
-        for (Encounters.Collision collision : collisions) {
-            BodyId ship = collision.ship();
-            BodyId other = collision.other();
-            if (!laws.shipsAreMortal()) {
-                log(ShipEvent.What.COLLIDED, ship, collision, other, collision.otherKind());
-                continue;
-            }
-            log(ShipEvent.What.DESTROYED, ship, collision, other, collision.otherKind());
-            if (collision.otherKind() == BodyKind.SHIP) {
-                log(ShipEvent.What.DESTROYED, other, collision, ship, BodyKind.SHIP);
-            }
-        }
-    }
-
-    private void log(ShipEvent.What what, BodyId ship, Encounters.Collision collision, BodyId other, BodyKind kind) {
-        var encounter = new ShipEvent.Encounter(other, kind, collision.closingSpeed());
-        events.add(world.tick(), world.time(), what, ship, Optional.of(encounter));
-    }
-
-    private void logArrival(BodyId ship) {
-        events.add(world.tick(), world.time(), ShipEvent.What.ARRIVED, ship, Optional.empty());
     }
 
     private void publishShips() {
@@ -195,7 +169,7 @@ public final class Room {
 
     /** How its ships have fared. Any thread. */
     ShipTally ships() {
-        return encounters.tally();
+        return chronicle.tally();
     }
 
     /** A hash of the state of its world; for the tick thread, and for those who know that it stands still. */
@@ -299,7 +273,7 @@ public final class Room {
     }
 
     private void welcome(BodyId id, SceneBody body) {
-        encounters.add(id, body.def().kind());
+        chronicle.add(id, body.def().kind());
         if (body.look() != null) {
             appearances.put(id, new Appearance(body.look(), world.time()));
         }
@@ -316,8 +290,7 @@ public final class Room {
     private void forget(BodyId body) {
         selections.forget(body);
         appearances.forget(body);
-        encounters.remove(body);
-        arrivals.forget(body);
+        chronicle.forget(body);
         bodiesChanged();
     }
 
@@ -348,7 +321,7 @@ public final class Room {
             Vec2 slot = slots.get(i);
             if (world.apply(new Command.SeekTarget(ship, slot.x(), slot.y())) instanceof CommandResult.Accepted) {
                 sent.add(ship);
-                arrivals.ordered(ship);
+                chronicle.ordered(ship);
             }
         }
         return done(sent);

@@ -35,6 +35,7 @@ final class Selections {
     private void findLast(ClientId client, BodyId gone) {
         if (gone.equals(last.get(client))) {
             last.remove(client);
+            // In the order of selection, so the last one stays.
             byClient.getOrDefault(client, Set.of()).forEach(body -> last.put(client, body));
         }
     }
