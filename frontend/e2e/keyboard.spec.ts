@@ -36,6 +36,7 @@ test('everything_can_be_done_without_a_mouse', async ({ page }) => {
   });
 
   await test.step('send them to a point', async () => {
+    await keyboard.press('f'); // a ship out of view has taken the view with it
     await keyboard.press('t');
     await expect(page.getByText('Arrows move the cross, Enter sends')).toBeVisible();
     for (let i = 0; i < 8; i++) await keyboard.press('ArrowUp');

@@ -108,7 +108,7 @@ test('a_ship_tells_what_it_is_about_to_do_and_the_stage_shows_it', async ({ page
   }).toPass({ timeout: 90_000 });
 
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
-  await expect.poll(() => pixelsOf(page, THREAT)).toBe(0);
+  await expect.poll(() => pixelsOf(page, THREAT), { timeout: 20_000 }).toBe(0);
 });
 
 test('an_arrival_is_listed_and_announced', async ({ page }) => {

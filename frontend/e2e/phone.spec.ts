@@ -36,7 +36,7 @@ test('a_tap_sends_the_selected_ship', async ({ page }) => {
   await page.getByRole('searchbox').fill('ship');
   await page.getByRole('listitem').getByRole('button', { name: /^Ship/ }).first().tap();
   await page.getByRole('tab', { name: /^Selected/ }).tap();
-  const target = await emptyPoint(page);
+  const target = await emptyPoint(page, 0.1, 0.9);
   await page.touchscreen.tap(target.x, target.y);
 
   await expect(page.getByText(/^Seek /)).toBeVisible();
