@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * <p>A circle belongs to a grid whose cells are as wide as it is, or up to four times as wide, so it reaches half a cell beyond
  * its own at most and meets circles of its grid in the eight cells around alone; grids of other sizes are asked around it. Cells
  * are numbered row by row and circles sorted by their cells in one count (Knuth 1973, TAOCP 3, 5.2): three neighbours in a row
- * are one run of memory. A plane is folded up into a torus of four cells for each circle, or up to eight, so what has flown off
+ * are one run of memory. A plane is folded up into a torus of three cells for each circle, or up to six, so what has flown off
  * costs nothing; circles that are neighbours only by the fold are told apart by their distance.
  *
  * <p>25 ns a circle for sorting and all pairs where all are of one size, twice that where radii are spread evenly from 1 to 100,
@@ -23,7 +23,7 @@ public final class CircleGrid {
     private static final int TOP = LEVELS - 1; // one cell, for all that is larger
 
     /** Cells are so much wider than most circles: some grow when paths are bent. */
-    private static final double ROOM = 1.15;
+    private static final double ROOM = 1.22;
 
     /** Of a cell: what the numbers of rows and columns lose to rounding is less, see {@link #ROUNDING}. */
     private static final double MARGIN = 0x1p-10;
@@ -31,16 +31,14 @@ public final class CircleGrid {
     /** Of the coordinates, added to each circle: so a row or a column never has a number beyond 2³⁹. */
     private static final double ROUNDING = 0x1p-40;
 
-    /** So far circles reach beyond their cells when they have been sorted, in cells. */
-    private static final double SORTED = 0.5 + MARGIN;
-
-    /** So far they may reach after they have been moved. */
-    private static final double MOVED = 0.75;
+    /** So far circles reach beyond their cells, in cells. */
+    private static final double OVERHANG = 0.5;
 
     private static final double SMALLEST = 0x1p-800;
     private static final double LARGEST = 0x1p900;
 
     private static final int SAMPLE = 64; // circles that tell the size of most
+    private static final int CELLS = 3; // for each circle, or up to twice as many
     private static final int FEWEST_COLUMNS = 4; // on a torus of two, a cell is its own neighbour's neighbour
     private static final int AT_ONCE = 4096; // neighbours are compared before there are more
     private static final int FEW_STRAYS = 32;
@@ -50,18 +48,17 @@ public final class CircleGrid {
     private final @Nullable Period period;
 
     private int count;
-    private double[] x = new double[16]; // as they were sorted
+    private double[] x = new double[16]; // as they were set
     private double[] y = new double[16];
     private double[] reach = new double[16];
-    private int[] level = new int[16];
-    private int[] cell = new int[16];
-    private int[] place = new int[16]; // in the order of the cells
+    private int[] place = new int[16]; // in the order of the cells; before it is known, level and cell
 
     private final int[] sampled = new int[2048]; // by exponent
     private final double[] sampledReach = new double[2048];
     private final int[] size = new int[LEVELS]; // circles of each level
     private final int[] used = new int[LEVELS]; // the levels that have any, fine ones first
     private int levels;
+    private int cells;
     private double unit; // the side of cells in the middle level, length
     private final double[] side = new double[LEVELS];
     private final double[] columnsPerLength = new double[LEVELS];
@@ -74,7 +71,7 @@ public final class CircleGrid {
     // By place.
     private int[] circle = new int[16];
     private int[] home = new int[16]; // its cell
-    private double[] at = new double[64]; // x, y, radius (NaN of a stray), nothing
+    private double[] at = new double[57]; // x, y, radius (NaN of a stray)
 
     // Circles that reach farther from their cells than when they were sorted.
     private int strays;
@@ -86,7 +83,7 @@ public final class CircleGrid {
     // Circles in neighbouring cells, as places: gathered first and compared after, each in a loop whose branches can be
     // foretold.
     private int neighbours;
-    private long[] neighbour = new long[AT_ONCE]; // place << 32 | other place
+    private long[] neighbour = new long[64]; // place << 32 | other place
 
     private int[] found = new int[16];
     private int pairs;
@@ -102,16 +99,14 @@ public final class CircleGrid {
     public void begin(int circles) {
         count = circles;
         if (circles > x.length) {
-            int capacity = Math.max(circles, 2 * x.length);
+            int capacity = Math.max(circles, x.length + x.length / 8);
             x = new double[capacity];
             y = new double[capacity];
             reach = new double[capacity];
-            level = new int[capacity];
-            cell = new int[capacity];
             place = new int[capacity];
             circle = new int[capacity];
             home = new int[capacity];
-            at = new double[4 * capacity];
+            at = new double[3 * (capacity + 3)]; // a look at three goes beyond the last
         }
     }
 
@@ -130,9 +125,10 @@ public final class CircleGrid {
     public void build() {
         strays = 0;
         unit = 2 * ROOM * usualReach();
-        chooseLevels();
-        int cells = layOut();
-        sort(cells);
+        if (!sortAsOneLevel()) {
+            chooseLevels();
+            sort();
+        }
     }
 
     /** The mean of a sample, without those that differ by more than their exponent from most. */
@@ -156,12 +152,38 @@ public final class CircleGrid {
         return Math.max(SMALLEST, Math.min(LARGEST, mean));
     }
 
+    /** Where most are of one size all may be: then they are sorted while that is looked at. */
+    private boolean sortAsOneLevel() {
+        Arrays.fill(size, 0);
+        size[MIDDLE] = count;
+        used[0] = MIDDLE;
+        levels = 1;
+        prepareCells();
+        double most = 0.5 * unit / (1 + 2 * MARGIN);
+        double least = 0.25 * most;
+        double acrossPerLength = columnsPerLength[MIDDLE];
+        double upPerLength = rowsPerLength[MIDDLE];
+        int across = columns[MIDDLE];
+        int up = rows[MIDDLE];
+        for (int i = 0; i < count; i++) {
+            if (!(reach[i] >= least && reach[i] < most)) {
+                return false;
+            }
+            int c = fold(Math.floor(y[i] * upPerLength), up) * across
+                    + fold(Math.floor(x[i] * acrossPerLength), across);
+            place[i] = c;
+            start[c]++;
+        }
+        scatter();
+        return true;
+    }
+
     private void chooseLevels() {
         Arrays.fill(size, 0);
         double scale = 2 * (1 + 2 * MARGIN) / unit;
         for (int i = 0; i < count; i++) {
             int l = Math.max(0, Math.min(TOP, MIDDLE + (Math.getExponent(reach[i] * scale) >> 1) + 1));
-            level[i] = l;
+            place[i] = l;
             size[l]++;
         }
         levels = 0;
@@ -172,9 +194,9 @@ public final class CircleGrid {
         }
     }
 
-    /** Gives each level its cells, four times as many as circles or more, and returns how many there are. */
-    private int layOut() {
-        int cells = 0;
+    /** Gives each level its cells, three times as many as circles or more, all empty. */
+    private void prepareCells() {
+        cells = 0;
         for (int k = 0; k < levels; k++) {
             int l = used[k];
             side[l] = l == TOP ? Double.POSITIVE_INFINITY : unit * Math.scalb(1.0, 2 * (l - MIDDLE));
@@ -186,11 +208,14 @@ public final class CircleGrid {
             firstCell[l] = cells;
             cells += columns[l] * rows[l];
         }
-        return cells;
+        if (cells >= start.length) {
+            start = new int[cells + 1];
+        }
+        Arrays.fill(start, 0, cells + 1, 0);
     }
 
     private void fold(int l) {
-        int wanted = 4 * size[l];
+        int wanted = CELLS * size[l];
         int across = FEWEST_COLUMNS;
         while (across * across < wanted) {
             across *= 2;
@@ -204,7 +229,8 @@ public final class CircleGrid {
     private void divide(int l, Period world) {
         double across = Math.floor(world.width() / side[l]);
         double up = Math.floor(world.height() / side[l]);
-        double shrink = Math.max(1, Math.sqrt(across * up / (4.0 * size[l] + FEWEST_COLUMNS * FEWEST_COLUMNS)));
+        double shrink =
+                Math.max(1, Math.sqrt(across * up / (CELLS * (double) size[l] + FEWEST_COLUMNS * FEWEST_COLUMNS)));
         columns[l] = divisions(across / shrink);
         rows[l] = divisions(up / shrink);
         columnsPerLength[l] = columns[l] / world.width();
@@ -221,32 +247,35 @@ public final class CircleGrid {
         return period == null ? (int) (long) number & of - 1 : (int) Math.floorMod((long) number, of);
     }
 
-    private void sort(int cells) {
-        if (cells >= start.length) {
-            start = new int[Math.max(cells + 1, 2 * start.length)];
-        }
-        Arrays.fill(start, 0, cells + 1, 0);
+    private void sort() {
+        prepareCells();
         for (int i = 0; i < count; i++) {
-            int l = level[i];
+            int l = place[i];
             int column = fold(Math.floor(x[i] * columnsPerLength[l]), columns[l]);
             int row = fold(Math.floor(y[i] * rowsPerLength[l]), rows[l]);
             int c = firstCell[l] + row * columns[l] + column;
-            cell[i] = c;
+            place[i] = c;
             start[c]++;
         }
+        scatter();
+    }
+
+    /** Puts all circles, whose cells have been counted, into the order of these. */
+    private void scatter() {
         int end = 0;
         for (int c = 0; c <= cells; c++) {
             end += start[c];
             start[c] = end;
         }
         for (int i = count - 1; i >= 0; i--) {
-            int p = --start[cell[i]];
+            int c = place[i];
+            int p = --start[c];
             place[i] = p;
             circle[p] = i;
-            home[p] = cell[i];
-            at[4 * p + 0] = x[i];
-            at[4 * p + 1] = y[i];
-            at[4 * p + 2] = reach[i];
+            home[p] = c;
+            at[3 * p] = x[i];
+            at[3 * p + 1] = y[i];
+            at[3 * p + 2] = reach[i];
         }
     }
 
@@ -277,7 +306,7 @@ public final class CircleGrid {
             for (int p = start[here]; p < last; p++) {
                 int column = home[p] - here;
                 if (column > 0 && column < across - 1 && next != here) {
-                    gather(p, start[here + column + 2], start[next + column - 1], start[next + column + 2]);
+                    compareWithRuns(p, start[here + column + 2], start[next + column - 1], start[next + column + 2]);
                 } else {
                     gatherAtSeam(p, column, across, here, next);
                 }
@@ -308,29 +337,51 @@ public final class CircleGrid {
     }
 
     /**
-     * Notes two runs of places as neighbours of another: from behind it to an end, and from a beginning to an end. Most are
-     * shorter than three, and how long they are is past guessing: to write three and keep what is in the run is faster.
+     * Compares a place with two runs of others: from behind it to an end, and from a beginning to an end. Most are shorter than
+     * three, and how long they are is past guessing: to compare with two and three, and keep what is in the run, is faster.
      */
-    private void gather(int p, int end, int from, int to) {
-        if (end - p > 3 || to - from > 3 || neighbours + 5 > neighbour.length) {
-            gather(p, p + 1, end);
-            gather(p, from, to);
-            return;
+    private void compareWithRuns(int p, int end, int from, int to) {
+        if (end - p <= 3 && to - from <= 3 && period == null) {
+            double[] a = at;
+            double px = a[3 * p];
+            double py = a[3 * p + 1];
+            double pr = a[3 * p + 2];
+            long apart = apart(a, p + 1, px, py, pr)
+                    & apart(a, p + 2, px, py, pr)
+                    & apart(a, from, px, py, pr)
+                    & apart(a, from + 1, px, py, pr)
+                    & apart(a, from + 2, px, py, pr);
+            if (apart < 0) {
+                return;
+            }
         }
-        long[] list = neighbour;
-        long place = (long) p << 32;
-        int k = neighbours;
-        list[k] = place | p + 1;
-        k += p + 1 - end >>> 31; // 1 below the end
-        list[k] = place | p + 2;
-        k += p + 2 - end >>> 31;
-        list[k] = place | from;
-        k += from - to >>> 31;
-        list[k] = place | from + 1;
-        k += from + 1 - to >>> 31;
-        list[k] = place | from + 2;
-        k += from + 2 - to >>> 31;
-        neighbours = k;
+        compareWithRun(p, p + 1, end);
+        compareWithRun(p, from, to);
+    }
+
+    /** Negative when two do not touch: the sign of a difference, which is no branch. */
+    private static long apart(double[] a, int q, double px, double py, double pr) {
+        double dx = a[3 * q] - px;
+        double dy = a[3 * q + 1] - py;
+        double distance = a[3 * q + 2] + pr;
+        return Double.doubleToRawLongBits(distance * distance - (dx * dx + dy * dy));
+    }
+
+    private void compareWithRun(int p, int from, int to) {
+        for (int q = from; q < to; q++) {
+            if (touch(at[3 * q] - at[3 * p], at[3 * q + 1] - at[3 * p + 1], at[3 * q + 2] + at[3 * p + 2])) {
+                add(p, q);
+            }
+        }
+    }
+
+    private void add(int p, int q) {
+        if (pairs == first.length) {
+            first = Arrays.copyOf(first, 2 * pairs);
+            second = Arrays.copyOf(second, 2 * pairs);
+        }
+        first[pairs] = Math.min(circle[p], circle[q]);
+        second[pairs++] = Math.max(circle[p], circle[q]);
     }
 
     /** Notes a run of places as neighbours of another. */
@@ -355,23 +406,19 @@ public final class CircleGrid {
 
     /** Makes pairs of the neighbours that touch. */
     private void compare() {
-        if (pairs + neighbours > first.length) {
-            int capacity = Math.max(pairs + neighbours, 2 * first.length);
-            first = Arrays.copyOf(first, capacity);
-            second = Arrays.copyOf(second, capacity);
-        }
-        int k = pairs;
+        long[] list = neighbour;
+        int touching = 0;
         for (int n = 0; n < neighbours; n++) {
-            int p = (int) (neighbour[n] >>> 32);
-            int q = (int) neighbour[n];
-            first[k] = Math.min(circle[p], circle[q]);
-            second[k] = Math.max(circle[p], circle[q]);
-            k += touch(at[4 * q + 0] - at[4 * p + 0], at[4 * q + 1] - at[4 * p + 1], at[4 * q + 2] + at[4 * p + 2])
-                    ? 1
-                    : 0;
+            long both = list[n];
+            int p = 3 * (int) (both >>> 32);
+            int q = 3 * (int) both;
+            list[touching] = both;
+            touching += touch(at[q] - at[p], at[q + 1] - at[p + 1], at[q + 2] + at[p + 2]) ? 1 : 0;
         }
-        pairs = k;
         neighbours = 0;
+        for (int n = 0; n < touching; n++) {
+            add((int) (list[n] >>> 32), (int) list[n]);
+        }
     }
 
     private boolean touch(double dx, double dy, double distance) {
@@ -398,7 +445,7 @@ public final class CircleGrid {
         int to = fromCoarse ? fine : coarse;
         int end = start[firstCell[from] + columns[from] * rows[from]];
         for (int p = start[firstCell[from]]; p < end; p++) {
-            gatherAround(p, to, at[4 * p + 0], at[4 * p + 1], at[4 * p + 2], SORTED);
+            gatherAround(p, to, at[3 * p], at[3 * p + 1], at[3 * p + 2]);
             compareWhenMany();
         }
         compare();
@@ -411,7 +458,8 @@ public final class CircleGrid {
     }
 
     /** Gathers the cells of a level that hold what may touch this circle. */
-    private void gatherAround(int p, int l, double cx, double cy, double r, double overhang) {
+    private void gatherAround(int p, int l, double cx, double cy, double r) {
+        double overhang = OVERHANG + MARGIN;
         double left = Math.floor((cx - r) * columnsPerLength[l] - overhang);
         double right = Math.floor((cx + r) * columnsPerLength[l] + overhang);
         double low = Math.floor((cy - r) * rowsPerLength[l] - overhang);
@@ -448,11 +496,14 @@ public final class CircleGrid {
     public int query(int i) {
         int p = place[i];
         boolean isStray = home[p] < 0;
-        double cx = isStray ? strayX[-1 - home[p]] : at[4 * p];
-        double cy = isStray ? strayY[-1 - home[p]] : at[4 * p + 1];
-        double r = isStray ? strayReach[-1 - home[p]] : at[4 * p + 2];
+        double cx = isStray ? strayX[-1 - home[p]] : at[3 * p];
+        double cy = isStray ? strayY[-1 - home[p]] : at[3 * p + 1];
+        double r = isStray ? strayReach[-1 - home[p]] : at[3 * p + 2];
+        int own = isStray ? -1 : levelOf(home[p]);
         for (int k = 0; k < levels; k++) {
-            gatherAround(0, used[k], cx, cy, r, MOVED + MARGIN);
+            if (used[k] != own || !gatherBeside(home[p], own)) {
+                gatherAround(0, used[k], cx, cy, r);
+            }
         }
         if (neighbours + strays > found.length) {
             found = new int[Math.max(neighbours + strays, 2 * found.length)];
@@ -461,7 +512,7 @@ public final class CircleGrid {
         for (int n = 0; n < neighbours; n++) {
             int q = (int) neighbour[n];
             found[hits] = circle[q];
-            hits += touch(at[4 * q + 0] - cx, at[4 * q + 1] - cy, at[4 * q + 2] + r) ? 1 : 0;
+            hits += touch(at[3 * q] - cx, at[3 * q + 1] - cy, at[3 * q + 2] + r) ? 1 : 0;
         }
         neighbours = 0;
         for (int s = 0; s < strays; s++) {
@@ -469,6 +520,20 @@ public final class CircleGrid {
             hits += touch(strayX[s] - cx, strayY[s] - cy, strayReach[s] + r) ? 1 : 0;
         }
         return hits;
+    }
+
+    /** Gathers a cell and the eight around it; false at the seam. */
+    private boolean gatherBeside(int cell, int l) {
+        int across = columns[l];
+        int row = (cell - firstCell[l]) / across;
+        int column = cell - firstCell[l] - row * across;
+        if (column == 0 || column >= across - 1 || row == 0 || row >= rows[l] - 1) {
+            return false;
+        }
+        gather(0, start[cell - across - 1], start[cell - across + 2]);
+        gather(0, start[cell - 1], start[cell + 2]);
+        gather(0, start[cell + across - 1], start[cell + across + 2]);
+        return true;
     }
 
     /** The {@code hit}-th circle of the last query. */
@@ -494,13 +559,13 @@ public final class CircleGrid {
         int p = place[i];
         if (home[p] < 0) {
             setStray(-1 - home[p], i, newX, newY, newReach);
-        } else if (keepsToCell(i, newX, newY, newReach)) {
-            at[4 * p] = newX;
-            at[4 * p + 1] = newY;
-            at[4 * p + 2] = newReach;
+        } else if (keepsToCell(home[p], newX, newY, newReach)) {
+            at[3 * p] = newX;
+            at[3 * p + 1] = newY;
+            at[3 * p + 2] = newReach;
         } else {
             home[p] = -1 - strays;
-            at[4 * p + 2] = Double.NaN;
+            at[3 * p + 2] = Double.NaN;
             growStrays();
             setStray(strays++, i, newX, newY, newReach);
             if (strays > FEW_STRAYS && (double) strays * strays > MOST_STRAYS * MOST_STRAYS * count) {
@@ -509,22 +574,37 @@ public final class CircleGrid {
         }
     }
 
-    /** Whether a circle is still near its cell, of which no more is known than that its centre was there when it was sorted. */
-    private boolean keepsToCell(int i, double newX, double newY, double newReach) {
-        double dx = Math.abs(newX - x[i]);
-        double dy = Math.abs(newY - y[i]);
-        if (period != null) {
-            dx = nearest(dx, period.width());
-            dy = nearest(dy, period.height());
+    /** Whether a circle reaches no farther beyond a cell than one that is sorted there. */
+    private boolean keepsToCell(int cell, double newX, double newY, double newReach) {
+        int l = levelOf(cell);
+        int row = (cell - firstCell[l]) / columns[l];
+        int column = cell - firstCell[l] - row * columns[l];
+        return keeps(column, columns[l], newX * columnsPerLength[l], newReach * columnsPerLength[l])
+                && keeps(row, rows[l], newY * rowsPerLength[l], newReach * rowsPerLength[l]);
+    }
+
+    private int levelOf(int cell) {
+        int k = levels - 1;
+        while (firstCell[used[k]] > cell) {
+            k--;
         }
-        return Math.max(dx, dy) + newReach <= MOVED * side[level[i]];
+        return used[k];
+    }
+
+    /** The same along one axis, in cells; on the torus every so-manieth row or column is the same. */
+    private boolean keeps(int number, int of, double centre, double reached) {
+        double whole = Math.floor(centre);
+        int away = fold(whole, of) - number;
+        away = 2 * away > of ? away - of : 2 * away < -of ? away + of : away;
+        double inCell = centre - whole + away;
+        return of == 1 || inCell - reached >= -OVERHANG && inCell + reached <= 1 + OVERHANG;
     }
 
     private void sortAnew() {
         for (int p = 0; p < count; p++) {
-            x[circle[p]] = at[4 * p];
-            y[circle[p]] = at[4 * p + 1];
-            reach[circle[p]] = at[4 * p + 2];
+            x[circle[p]] = at[3 * p];
+            y[circle[p]] = at[3 * p + 1];
+            reach[circle[p]] = at[3 * p + 2];
         }
         for (int s = 0; s < strays; s++) {
             x[stray[s]] = strayX[s];
