@@ -55,9 +55,11 @@ public final class ContactSolver {
         impacts.resolve(bodies);
         if (touching.size() > 0) {
             hold(bodies);
-        }
-        if (stop != null) {
-            stop.stop(bodies, paths.dt());
+            if (stop != null) {
+                stop.stop(bodies, paths.dt());
+            }
+        } else if (stop != null) {
+            stop.stopBent(bodies, paths);
         }
     }
 

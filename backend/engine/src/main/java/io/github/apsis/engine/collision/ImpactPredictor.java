@@ -17,6 +17,7 @@ final class ImpactPredictor {
 
     private final @Nullable BroadPhase broadPhase;
     private final @Nullable WallSet walls;
+    private final @Nullable Period period;
     private final Paths paths;
     private final Approach approach;
     private final ImpactQueue queue;
@@ -24,7 +25,9 @@ final class ImpactPredictor {
     private final Meeting meeting;
     private final ContactMode mode;
     private final PairIndex hopping = new PairIndex(); // come to rest in this tick
+    private final int[] close = new int[256]; // numbers of pairs
     private final PairList gentle = new PairList(); // found since the last were listed
+    private final int[] beyond = new int[256]; // bodies that end their paths at a wall or beyond
     private double mostAcceleration; // of any body in this tick, or more
     private final int mostImpacts; // of one body in a tick; what comes after is at rest
 
@@ -40,6 +43,7 @@ final class ImpactPredictor {
             int mostImpacts) {
         this.broadPhase = broadPhase;
         this.walls = walls;
+        this.period = period;
         this.paths = paths;
         this.approach = approach;
         this.queue = queue;
@@ -61,20 +65,63 @@ final class ImpactPredictor {
         if (broadPhase != null) {
             broadPhase.build(bodies, paths);
             mostAcceleration = broadPhase.mostAcceleration();
-            int pairs = broadPhase.findPairs();
-            for (int k = 0; k < pairs; k++) {
-                predict(bodies, broadPhase.first(k), broadPhase.second(k));
-            }
+            predictPairs(bodies, broadPhase, broadPhase.findPairs());
         }
         listGentle(bodies);
     }
 
     private void predictAllWalls(Bodies bodies, WallSet set) {
-        for (int i = 0; i < bodies.count(); i++) {
-            if (mode == ContactMode.EXACT || !set.contains(bodies, i, 0)) {
+        if (mode == ContactMode.EXACT) {
+            for (int i = 0; i < bodies.count(); i++) {
                 predictWalls(bodies, i);
             }
+            return;
         }
+        for (int from = 0; from < bodies.count(); from += beyond.length) {
+            int found = set.findBeyond(bodies, from, beyond);
+            for (int k = 0; k < found; k++) {
+                predictWalls(bodies, beyond[k]);
+            }
+        }
+    }
+
+    private void predictPairs(Bodies bodies, BroadPhase near, int pairs) {
+        if (mode == ContactMode.EXACT || period != null) {
+            for (int k = 0; k < pairs; k++) {
+                predict(bodies, near.first(k), near.second(k));
+            }
+            return;
+        }
+        for (int from = 0; from < pairs; from += close.length) {
+            int found = findClose(bodies, near, from, Math.min(pairs, from + close.length));
+            for (int k = 0; k < found; k++) {
+                predict(bodies, near.first(close[k]), near.second(close[k]));
+            }
+        }
+    }
+
+    /**
+     * Leaves out the pairs that do not meet on straight ways through the tick and do not end near each other, which are most. No
+     * branch here depends on what is found, for none could be foretold.
+     */
+    private int findClose(Bodies bodies, BroadPhase near, int from, int to) {
+        double most = mostAcceleration * paths.dt() * paths.dt();
+        int found = 0;
+        for (int k = from; k < to; k++) {
+            int a = near.first(k);
+            int b = near.second(k);
+            double sumOfRadii = bodies.radius(a) + bodies.radius(b);
+            double d0x = paths.startX(b) - paths.startX(a);
+            double d0y = paths.startY(b) - paths.startY(a);
+            double d1x = bodies.x(b) - bodies.x(a);
+            double d1y = bodies.y(b) - bodies.y(a);
+            close[found] = k;
+            found += TimeOfImpact.mayTouch(d0x, d0y, d1x - d0x, d1y - d0y, sumOfRadii)
+                            | !Meeting.isBeyond(d1x, d1y, sumOfRadii + most)
+                    ? 1
+                    : 0;
+        }
+        return found;
     }
 
     /** A path has been bent. */
@@ -176,8 +223,11 @@ final class ImpactPredictor {
 
     /** Whether two end the tick within the way that their acceleration would push them in it. */
     private boolean endsNear(Bodies bodies, int a, int b, double sumOfRadii) {
-        double last = meeting.lastDistance();
         double tick2 = paths.dt() * paths.dt();
+        if (meeting.endsBeyond(sumOfRadii + mostAcceleration * tick2)) {
+            return false; // by far the usual case, without a root
+        }
+        double last = meeting.lastDistance();
         return last < sumOfRadii + mostAcceleration * tick2
                 && last < sumOfRadii + Paths.acceleration(bodies, a, b) * tick2;
     }

@@ -12,6 +12,8 @@ final class Meeting {
     private static final long MOST_PERIODS =
             300_000; // that a path may span in a tick: a million radii, and the smallest world is four wide
 
+    private static final double BEYOND = 1 + 1e-12; // squares and their roots may round to either side
+
     private final Paths paths;
     private final @Nullable Period period;
     private final ContactMode mode;
@@ -131,6 +133,16 @@ final class Meeting {
         double vx = paths.vxAt(bodies, other, t0) - paths.vxAt(bodies, one, t0);
         double vy = paths.vyAt(bodies, other, t0) - paths.vyAt(bodies, one, t0);
         return dx * vx + dy * vy < 0 || (dx == 0 && dy == 0);
+    }
+
+    /** Whether the centres end farther apart than this, of images the nearest. */
+    boolean endsBeyond(double distance) {
+        return isBeyond(
+                period == null ? d1x : period.nearestX(d1x), period == null ? d1y : period.nearestY(d1y), distance);
+    }
+
+    static boolean isBeyond(double dx, double dy, double distance) {
+        return dx * dx + dy * dy > distance * distance * BEYOND;
     }
 
     /** How far apart the centres end, of images the nearest. */

@@ -20,21 +20,31 @@ final class Paths {
     private double[] startY = new double[16];
     private double[] startTime = new double[16];
     private int[] impacts = new int[16];
+    private int[] bent = new int[16]; // the bodies whose paths have been bent in this tick
+    private int bentCount;
 
     /** Remembers where every body stands, before it moves. */
     void begin(Bodies bodies, double tick) {
         dt = tick;
         int count = bodies.count();
         if (count > startX.length) {
-            int capacity = Math.max(count, 2 * startX.length);
+            int capacity = Math.max(count, startX.length + startX.length / 8);
             startX = new double[capacity];
             startY = new double[capacity];
             startTime = new double[capacity];
             impacts = new int[capacity];
+        } else {
+            straighten();
         }
+        bentCount = 0;
         bodies.copyPositions(startX, startY);
-        Arrays.fill(startTime, 0, count, 0);
-        Arrays.fill(impacts, 0, count, 0);
+    }
+
+    private void straighten() {
+        for (int k = 0; k < bentCount; k++) {
+            startTime[bent[k]] = 0;
+            impacts[bent[k]] = 0;
+        }
     }
 
     double dt() {
@@ -51,6 +61,16 @@ final class Paths {
 
     double startTime(int i) {
         return startTime[i];
+    }
+
+    /** How many paths have been bent in this tick. */
+    int bentCount() {
+        return bentCount;
+    }
+
+    /** The body whose path was the {@code k}-th to be bent for the first time. */
+    int bent(int k) {
+        return bent[k];
     }
 
     /** How often the path has been bent in this tick, never for a wall; tells whether a prediction is out of date. */
@@ -121,6 +141,11 @@ final class Paths {
         startX[i] = x;
         startY[i] = y;
         startTime[i] = t;
-        impacts[i]++;
+        if (impacts[i]++ == 0) {
+            if (bentCount == bent.length) {
+                bent = Arrays.copyOf(bent, 2 * bentCount);
+            }
+            bent[bentCount++] = i;
+        }
     }
 }

@@ -35,6 +35,15 @@ final class TimeOfImpact {
         return share > 1 ? Double.NaN : share;
     }
 
+    /** Whether circles that move on a chord touch, or touched already at its beginning, or would if it went on. */
+    static boolean mayTouch(double d0x, double d0y, double wx, double wy, double sumOfRadii) {
+        double closing = d0x * wx + d0y * wy;
+        double w2 = wx * wx + wy * wy;
+        double cross = d0x * wy - d0y * wx;
+        return d0x * d0x + d0y * d0y <= sumOfRadii * sumOfRadii
+                | closing < 0 & w2 * sumOfRadii * sumOfRadii >= cross * cross;
+    }
+
     /** The time of the touch on the parabola, from that on its chord. */
     static double onParabola(
             double share,

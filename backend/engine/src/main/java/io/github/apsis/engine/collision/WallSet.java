@@ -73,12 +73,26 @@ public final class WallSet {
         return nx[k] * x + ny[k] * y - offset[k] - radius;
     }
 
+    /**
+     * Finds those among the next bodies, as many as the array holds, that do not end their paths clear of all walls; nothing else
+     * is in the loop, which is twice as fast so.
+     */
+    int findBeyond(Bodies bodies, int from, int[] into) {
+        int end = Math.min(bodies.count(), from + into.length);
+        int found = 0;
+        for (int i = from; i < end; i++) {
+            into[found] = i;
+            found += contains(bodies, i, 0) ? 0 : 1;
+        }
+        return found;
+    }
+
     /** Whether a body ends its path inside, clear of all walls by so much: by far the usual case, and the path of a tick is short. */
     boolean contains(Bodies bodies, int i, double margin) {
         double x = bodies.x(i);
         double y = bodies.y(i);
         double away = bodies.radius(i) + margin;
-        boolean clear = x - minX > away && maxX - x > away && y - minY > away && maxY - y > away;
+        boolean clear = x - minX > away & maxX - x > away & y - minY > away & maxY - y > away;
         for (int k : slanted) {
             clear &= nx[k] * x + ny[k] * y - offset[k] > away;
         }

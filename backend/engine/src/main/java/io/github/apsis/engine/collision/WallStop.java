@@ -14,6 +14,16 @@ final class WallStop {
         this.walls = walls;
     }
 
+    /** The same where nothing but bends has changed paths that were looked along before, to the walls and a little beyond. */
+    void stopBent(Bodies bodies, Paths paths) {
+        for (int k = 0; k < paths.bentCount(); k++) {
+            if (!walls.contains(bodies, paths.bent(k), 0)) {
+                stop(bodies, paths.dt()); // seldom: all of them, in the order of their slots
+                return;
+            }
+        }
+    }
+
     void stop(Bodies bodies, double dt) {
         for (int i = 0; i < bodies.count(); i++) {
             if (walls.contains(bodies, i, 0) || bodies.isFixed(i)) {
