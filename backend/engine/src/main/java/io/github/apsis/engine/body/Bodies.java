@@ -1,7 +1,6 @@
 package io.github.apsis.engine.body;
 
 import java.util.Arrays;
-import org.jspecify.annotations.Nullable;
 
 /**
  * All bodies of one world, every quantity in its own column.
@@ -26,7 +25,8 @@ public final class Bodies {
     /** A position so many times its step away from 0 loses a millionth of the step to rounding. */
     private static final double FAR = 1e10;
 
-    private static final double NO_TARGET = Double.NaN;
+    private static final BodyKind[] KINDS = BodyKind.values();
+    private static final double[] NONE = new double[0];
 
     private int count;
     private long lastId;
@@ -39,7 +39,7 @@ public final class Bodies {
     private double outsideMoment; // about the origin, mass · length² / time²
 
     private long[] id = new long[16];
-    private BodyKind[] kind = new BodyKind[16];
+    private byte[] kind = new byte[16]; // its ordinal
     private double[] x = new double[16];
     private double[] y = new double[16];
     private double[] vx = new double[16];
@@ -50,41 +50,26 @@ public final class Bodies {
     private double[] inverseMass = new double[16];
     private double[] radius = new double[16];
 
-    // What a position and a velocity have below their last bit: 0 unless an integrator carries it on.
-    private double[] xLow = new double[16];
-    private double[] yLow = new double[16];
-    private double[] vxLow = new double[16];
-    private double[] vyLow = new double[16];
+    // What a position and a velocity have below their last bit. Nothing while that is 0 for all: most integrators carry
+    // none on,
+    // and a drift does only where a body is far from the origin, or next to at rest.
+    private double[] xLow = NONE;
+    private double[] yLow = NONE;
+    private double[] vxLow = NONE;
+    private double[] vyLow = NONE;
 
-    // Used by ships alone, by the same slot.
-    private double[] maxSpeed = new double[16];
-    private double[] maxForce = new double[16];
-    private double[] thrustX = new double[16];
-    private double[] thrustY = new double[16];
-    private double[] targetX = new double[16];
-    private double[] targetY = new double[16];
-    private double[] headingX = new double[16];
-    private double[] headingY = new double[16];
-    private double[] turnRate = new double[16];
-    private double[] courseX = new double[16];
-    private double[] courseY = new double[16];
-    private boolean[] evading = new boolean[16];
-    private long[] threat = new long[16];
-    private double[] contactIn = new double[16];
-    private int[] ships = new int[0];
+    private final ShipColumns ships = new ShipColumns();
 
     /** Adds a body and returns its slot. Invalidates nothing: earlier slots keep their meaning. */
     public int add(BodyDef def) {
         if (count == id.length) {
-            grow(2 * count);
+            grow(count + Math.max(16, count >> 4)); // a body is added seldom, and kept long
         }
         int i = count++;
         id[i] = ++lastId;
-        kind[i] = def.kind();
+        kind[i] = (byte) def.kind().ordinal();
         x[i] = def.x();
         y[i] = def.y();
-        xLow[i] = 0;
-        yLow[i] = 0;
         vx[i] = def.vx();
         vy[i] = def.vy();
         ax[i] = 0;
@@ -93,35 +78,27 @@ public final class Bodies {
         inverseMass[i] = def.mobility() == Mobility.FIXED ? 0 : Math.min(1 / def.mass(), MASSLESS);
         radius[i] = def.radius();
         clearLow(i);
-        becomeShip(i, def.limits());
+        ShipLimits limits = def.limits();
+        if (limits != null) {
+            ships.add(i, id.length, limits, def.vx(), def.vy());
+        }
         accelerationsCurrent = false;
         revision++;
         return i;
     }
 
     private void clearLow(int i) {
-        xLow[i] = 0;
-        yLow[i] = 0;
-        vxLow[i] = 0;
-        vyLow[i] = 0;
+        clearPositionLow(i);
+        if (vxLow.length > 0) {
+            vxLow[i] = 0;
+            vyLow[i] = 0;
+        }
     }
 
-    private void becomeShip(int i, @Nullable ShipLimits limits) {
-        maxSpeed[i] = limits == null ? 0 : limits.maxSpeed();
-        maxForce[i] = limits == null ? 0 : limits.maxForce();
-        thrustX[i] = 0;
-        thrustY[i] = 0;
-        targetX[i] = NO_TARGET;
-        targetY[i] = NO_TARGET;
-        double speed = Math.sqrt(vx[i] * vx[i] + vy[i] * vy[i]);
-        headingX[i] = speed > 0 ? vx[i] / speed : 1;
-        headingY[i] = speed > 0 ? vy[i] / speed : 0;
-        turnRate[i] = 0;
-        setCourse(i, vx[i], vy[i], false);
-        setThreat(i, 0, Double.POSITIVE_INFINITY);
-        if (limits != null) {
-            ships = Arrays.copyOf(ships, ships.length + 1);
-            ships[ships.length - 1] = i;
+    private void clearPositionLow(int i) {
+        if (xLow.length > 0) {
+            xLow[i] = 0;
+            yLow[i] = 0;
         }
     }
 
@@ -134,17 +111,11 @@ public final class Bodies {
             System.arraycopy(column, i + 1, column, i, behind);
         }
         for (double[] column : lowColumns()) {
-            System.arraycopy(column, i + 1, column, i, behind);
+            if (column.length > 0) {
+                System.arraycopy(column, i + 1, column, i, behind);
+            }
         }
-        for (double[] column : courseColumns()) {
-            System.arraycopy(column, i + 1, column, i, behind);
-        }
-        System.arraycopy(evading, i + 1, evading, i, behind);
-        System.arraycopy(threat, i + 1, threat, i, behind);
-        ships = Arrays.stream(ships)
-                .filter(ship -> ship != i)
-                .map(ship -> ship > i ? ship - 1 : ship)
-                .toArray();
+        ships.remove(i, count);
         accelerationsCurrent = false;
         revision++;
         removals++;
@@ -156,34 +127,11 @@ public final class Bodies {
     }
 
     private double[][] columns() {
-        return new double[][] {
-            x,
-            y,
-            vx,
-            vy,
-            ax,
-            ay,
-            mass,
-            inverseMass,
-            radius,
-            maxSpeed,
-            maxForce,
-            thrustX,
-            thrustY,
-            targetX,
-            targetY,
-            headingX,
-            headingY,
-            turnRate
-        };
+        return new double[][] {x, y, vx, vy, ax, ay, mass, inverseMass, radius};
     }
 
     private double[][] lowColumns() {
         return new double[][] {xLow, yLow, vxLow, vyLow};
-    }
-
-    private double[][] courseColumns() {
-        return new double[][] {courseX, courseY, contactIn};
     }
 
     private void grow(int capacity) {
@@ -198,24 +146,29 @@ public final class Bodies {
         mass = Arrays.copyOf(mass, capacity);
         inverseMass = Arrays.copyOf(inverseMass, capacity);
         radius = Arrays.copyOf(radius, capacity);
-        xLow = Arrays.copyOf(xLow, capacity);
-        yLow = Arrays.copyOf(yLow, capacity);
-        vxLow = Arrays.copyOf(vxLow, capacity);
-        vyLow = Arrays.copyOf(vyLow, capacity);
-        maxSpeed = Arrays.copyOf(maxSpeed, capacity);
-        maxForce = Arrays.copyOf(maxForce, capacity);
-        thrustX = Arrays.copyOf(thrustX, capacity);
-        thrustY = Arrays.copyOf(thrustY, capacity);
-        targetX = Arrays.copyOf(targetX, capacity);
-        targetY = Arrays.copyOf(targetY, capacity);
-        headingX = Arrays.copyOf(headingX, capacity);
-        headingY = Arrays.copyOf(headingY, capacity);
-        turnRate = Arrays.copyOf(turnRate, capacity);
-        courseX = Arrays.copyOf(courseX, capacity);
-        courseY = Arrays.copyOf(courseY, capacity);
-        evading = Arrays.copyOf(evading, capacity);
-        threat = Arrays.copyOf(threat, capacity);
-        contactIn = Arrays.copyOf(contactIn, capacity);
+        if (xLow.length > 0) {
+            xLow = Arrays.copyOf(xLow, capacity);
+            yLow = Arrays.copyOf(yLow, capacity);
+        }
+        if (vxLow.length > 0) {
+            vxLow = Arrays.copyOf(vxLow, capacity);
+            vyLow = Arrays.copyOf(vyLow, capacity);
+        }
+        ships.reserve(capacity);
+    }
+
+    private void carryPositions() {
+        if (xLow.length == 0) {
+            xLow = new double[id.length];
+            yLow = new double[id.length];
+        }
+    }
+
+    private void carryVelocities() {
+        if (vxLow.length == 0) {
+            vxLow = new double[id.length];
+            vyLow = new double[id.length];
+        }
     }
 
     public int count() {
@@ -237,7 +190,7 @@ public final class Bodies {
     }
 
     public BodyKind kind(int i) {
-        return kind[i];
+        return KINDS[kind[i]];
     }
 
     public double x(int i) {
@@ -258,19 +211,19 @@ public final class Bodies {
 
     /** What {@link #x} has lost to rounding: the true position is their sum. 0 unless the integrator carries it on. */
     public double xLow(int i) {
-        return xLow[i];
+        return xLow.length == 0 ? 0 : xLow[i];
     }
 
     public double yLow(int i) {
-        return yLow[i];
+        return xLow.length == 0 ? 0 : yLow[i];
     }
 
     public double vxLow(int i) {
-        return vxLow[i];
+        return vxLow.length == 0 ? 0 : vxLow[i];
     }
 
     public double vyLow(int i) {
-        return vyLow[i];
+        return vxLow.length == 0 ? 0 : vyLow[i];
     }
 
     /** Acceleration by the force laws at the last evaluation; thrust is apart. */
@@ -305,8 +258,7 @@ public final class Bodies {
     public void moveTo(int i, double newX, double newY) {
         x[i] = newX;
         y[i] = newY;
-        xLow[i] = 0;
-        yLow[i] = 0;
+        clearPositionLow(i);
         accelerationsCurrent = false;
         revision++;
     }
@@ -341,18 +293,28 @@ public final class Bodies {
     /** Puts a body where an integrator has found it; the low parts are what the position has below its last bit. */
     public void place(int i, double newX, double newXLow, double newY, double newYLow) {
         x[i] = newX;
-        xLow[i] = newXLow;
         y[i] = newY;
-        yLow[i] = newYLow;
+        if (newXLow != 0 || newYLow != 0) {
+            carryPositions();
+        }
+        if (xLow.length > 0) {
+            xLow[i] = newXLow;
+            yLow[i] = newYLow;
+        }
         accelerationsCurrent = false;
     }
 
     /** Gives a body the velocity that an integrator has found. */
     public void setVelocity(int i, double newVx, double newVxLow, double newVy, double newVyLow) {
         vx[i] = newVx;
-        vxLow[i] = newVxLow;
         vy[i] = newVy;
-        vyLow[i] = newVyLow;
+        if (newVxLow != 0 || newVyLow != 0) {
+            carryVelocities();
+        }
+        if (vxLow.length > 0) {
+            vxLow[i] = newVxLow;
+            vyLow[i] = newVyLow;
+        }
     }
 
     /** Gives a body the mean acceleration of its path, for those who look along it; it is not that of the laws. */
@@ -373,7 +335,11 @@ public final class Bodies {
      * speed, the next step makes up for it (Kahan 1965, Comm. ACM 8, 40): otherwise a body stands still, and falls without moving.
      */
     public void drift(double h) {
-        for (int i = 0; i < count; i++) {
+        int first = xLow.length == 0 ? driftWithoutLow(h) : 0;
+        if (first < count) {
+            carryPositions();
+        }
+        for (int i = first; i < count; i++) {
             double stepX = vx[i] * h + xLow[i];
             double stepY = vy[i] * h + yLow[i];
             double newX = x[i] + stepX;
@@ -386,8 +352,26 @@ public final class Bodies {
         accelerationsCurrent = false;
     }
 
+    /** Drifts while nothing is lost, and returns the first slot that has not drifted. */
+    private int driftWithoutLow(double h) {
+        for (int i = 0; i < count; i++) {
+            double stepX = vx[i] * h;
+            double stepY = vy[i] * h;
+            double newX = x[i] + stepX;
+            double newY = y[i] + stepY;
+            if (lost(x[i], stepX, newX) != 0 || lost(y[i], stepY, newY) != 0) {
+                return i;
+            }
+            x[i] = newX;
+            y[i] = newY;
+        }
+        return count;
+    }
+
     /** {@link #drift} that carries on what each sum loses to rounding (Kahan 1965, Comm. ACM 8, 40; Knuth's two-sum). */
     public void driftCompensated(double h) {
+        carryPositions();
+        carryVelocities();
         for (int i = 0; i < count; i++) {
             double step = vx[i] * h + (xLow[i] + vxLow[i] * h);
             double sum = x[i] + step;
@@ -405,6 +389,7 @@ public final class Bodies {
 
     /** {@link #kick} that carries on what each sum loses to rounding. */
     public void kickCompensated(double h) {
+        carryVelocities();
         for (int i = 0; i < count; i++) {
             double step = ax[i] * h + vxLow[i];
             double sum = vx[i] + step;
@@ -439,7 +424,7 @@ public final class Bodies {
     }
 
     private void kickByOthers(double h) {
-        for (int i : ships) {
+        for (int i : ships.slots()) {
             kickByThrust(i, h);
         }
         if (outsideX != 0 || outsideY != 0 || outsideMoment != 0) {
@@ -449,8 +434,8 @@ public final class Bodies {
     }
 
     private void kickByThrust(int i, double h) {
-        double dvx = thrustX[i] * inverseMass[i] * h;
-        double dvy = thrustY[i] * inverseMass[i] * h;
+        double dvx = ships.thrustX(i) * inverseMass[i] * h;
+        double dvy = ships.thrustY(i) * inverseMass[i] * h;
         // Of the whole kick's work m Δv · (v before + v after) / 2 this is the part of the thrust.
         double meanVx = vx[i] + 0.5 * (dvx - ax[i] * h);
         double meanVy = vy[i] + 0.5 * (dvy - ay[i] * h);
@@ -565,118 +550,111 @@ public final class Bodies {
 
     /** The slots of all ships, ascending. Not to be written. */
     public int[] ships() {
-        return ships;
+        return ships.slots();
     }
 
     public boolean isShip(int i) {
-        return kind[i] == BodyKind.SHIP;
+        return KINDS[kind[i]] == BodyKind.SHIP;
     }
 
     public double maxSpeed(int i) {
-        return maxSpeed[i];
+        return ships.maxSpeed(i);
     }
 
     public double maxForce(int i) {
-        return maxForce[i];
+        return ships.maxForce(i);
     }
 
     /** The force of a ship's engine, held through one tick. */
     public double thrustX(int i) {
-        return thrustX[i];
+        return ships.thrustX(i);
     }
 
     public double thrustY(int i) {
-        return thrustY[i];
+        return ships.thrustY(i);
     }
 
     /** The acceleration by a ship's engine. Where there are no ships it is asked for of every body, and nothing is read. */
     public double thrustAccelerationX(int i) {
-        return ships.length == 0 ? 0 : thrustX[i] * inverseMass[i];
+        return ships.slots().length == 0 ? 0 : ships.thrustX(i) * inverseMass[i];
     }
 
     public double thrustAccelerationY(int i) {
-        return ships.length == 0 ? 0 : thrustY[i] * inverseMass[i];
+        return ships.slots().length == 0 ? 0 : ships.thrustY(i) * inverseMass[i];
     }
 
     public void setThrust(int i, double forceX, double forceY) {
-        thrustX[i] = forceX;
-        thrustY[i] = forceY;
+        ships.setThrust(i, forceX, forceY);
     }
 
     public boolean hasTarget(int i) {
-        return !Double.isNaN(targetX[i]);
+        return !Double.isNaN(ships.targetX(i));
     }
 
     public double targetX(int i) {
-        return targetX[i];
+        return ships.targetX(i);
     }
 
     public double targetY(int i) {
-        return targetY[i];
+        return ships.targetY(i);
     }
 
     public void setTarget(int i, double newX, double newY) {
-        targetX[i] = newX;
-        targetY[i] = newY;
+        ships.setTarget(i, newX, newY);
     }
 
     public void clearTarget(int i) {
-        setTarget(i, NO_TARGET, NO_TARGET);
+        ships.clearTarget(i);
     }
 
     /** The direction in which a wandering ship wants to go, a unit vector. */
     public double headingX(int i) {
-        return headingX[i];
+        return ships.headingX(i);
     }
 
     public double headingY(int i) {
-        return headingY[i];
+        return ships.headingY(i);
     }
 
     /** How fast the heading turns, radians / time. */
     public double turnRate(int i) {
-        return turnRate[i];
+        return ships.turnRate(i);
     }
 
     public void setHeading(int i, double newX, double newY, double newTurnRate) {
-        headingX[i] = newX;
-        headingY[i] = newY;
-        turnRate[i] = newTurnRate;
+        ships.setHeading(i, newX, newY, newTurnRate);
     }
 
     /** The velocity that a ship is on its way to. */
     public double courseX(int i) {
-        return courseX[i];
+        return ships.courseX(i);
     }
 
     public double courseY(int i) {
-        return courseY[i];
+        return ships.courseY(i);
     }
 
     /** Whether the course of a ship is a detour and not what it would like best. */
     public boolean isEvading(int i) {
-        return evading[i];
+        return ships.isEvading(i);
     }
 
     public void setCourse(int i, double newVx, double newVy, boolean detour) {
-        courseX[i] = newVx;
-        courseY[i] = newVy;
-        evading[i] = detour;
+        ships.setCourse(i, newVx, newVy, detour);
     }
 
     /** The value of the id of the body that a ship would touch first if it did as it likes; 0 when there is none. */
     public long threat(int i) {
-        return threat[i];
+        return ships.threat(i);
     }
 
     /** In how much time it would; infinite when there is none. */
     public double contactIn(int i) {
-        return contactIn[i];
+        return ships.contactIn(i);
     }
 
     public void setThreat(int i, long body, double time) {
-        threat[i] = body;
-        contactIn[i] = time;
+        ships.setThreat(i, body, time);
     }
 
     /**
@@ -684,38 +662,23 @@ public final class Bodies {
      * machine.
      */
     public long hash() {
-        long hash = 0xcbf29ce484222325L;
+        long hash = StateHash.EMPTY;
         for (int i = 0; i < count; i++) {
-            hash = fold(hash, id[i]);
-            hash = fold(hash, kind[i].ordinal());
+            hash = StateHash.fold(hash, id[i]);
+            hash = StateHash.fold(hash, kind[i]);
         }
         for (double[] column : columns()) {
             for (int i = 0; i < count; i++) {
-                hash = fold(hash, Double.doubleToLongBits(column[i] + 0.0)); // −0 and 0 are one state
+                hash = StateHash.fold(hash, column[i]);
             }
         }
         for (double[] column : lowColumns()) {
-            for (int i = 0; i < count; i++) {
+            for (int i = 0; i < column.length && i < count; i++) {
                 if (column[i] != 0) { // most integrators carry none
-                    hash = fold(fold(hash, i), Double.doubleToLongBits(column[i]));
+                    hash = StateHash.fold(StateHash.fold(hash, i), column[i]);
                 }
             }
         }
-        for (int i : ships) {
-            hash = fold(hash, Double.doubleToLongBits(courseX[i] + 0.0));
-            hash = fold(hash, Double.doubleToLongBits(courseY[i] + 0.0));
-            hash = fold(hash, evading[i] ? 1 : 0);
-            hash = fold(hash, threat[i]);
-            hash = fold(hash, Double.doubleToLongBits(contactIn[i]));
-        }
-        return hash;
-    }
-
-    private static long fold(long hash, long bits) {
-        long h = hash;
-        for (int shift = 0; shift < 64; shift += 8) {
-            h = (h ^ ((bits >>> shift) & 0xff)) * 0x100000001b3L;
-        }
-        return h;
+        return ships.hash(hash);
     }
 }

@@ -26,13 +26,12 @@ final class SimultaneousImpacts {
     private double[] bounce = new double[8]; // 1 + e
     private int bodyCount;
     private double work; // mass · length² / time²
-    private int[] partners = new int[16]; // contacts of each body in this moment
+    private int bodies;
+    private int[] partners = new int[16]; // contacts of each body in this moment, where there is more than one
 
-    void clear(int bodies) {
-        if (bodies > partners.length) {
-            partners = new int[Math.max(bodies, 2 * partners.length)];
-        }
-        for (int k = 0; k < size; k++) {
+    void clear(int count) {
+        bodies = count;
+        for (int k = 0; k < size && size > 1; k++) {
             partners[first[k]] = 0;
             if (second[k] >= 0) {
                 partners[second[k]] = 0;
@@ -54,9 +53,21 @@ final class SimultaneousImpacts {
         first[size] = a;
         second[size] = b;
         size++;
-        partners[a]++;
-        if (b >= 0) {
-            partners[b]++;
+        if (size == 2) {
+            if (bodies > partners.length) {
+                partners = new int[Math.max(bodies, partners.length + partners.length / 8)];
+            }
+            count(0);
+        }
+        if (size > 1) {
+            count(size - 1);
+        }
+    }
+
+    private void count(int k) {
+        partners[first[k]]++;
+        if (second[k] >= 0) {
+            partners[second[k]]++;
         }
     }
 
@@ -74,7 +85,7 @@ final class SimultaneousImpacts {
 
     /** Whether a body is in one of these contacts. */
     boolean touches(int i) {
-        return i >= 0 && partners[i] > 0;
+        return i >= 0 && (size == 1 ? i == first[0] || i == second[0] : partners[i] > 0);
     }
 
     /** Tells how a contact closes in this moment. */

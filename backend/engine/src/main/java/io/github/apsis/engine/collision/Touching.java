@@ -31,9 +31,6 @@ final class Touching {
 
     /** Begins a new tick. */
     void begin(Bodies bodies) {
-        if (2 * bodies.count() > support.length) {
-            support = Arrays.copyOf(support, Math.max(2 * bodies.count(), 2 * support.length));
-        }
         if (isBorne) {
             Arrays.fill(support, 0);
             isBorne = false;
@@ -78,6 +75,9 @@ final class Touching {
     private void support(Bodies bodies, int i, double px, double py) {
         if (i >= 0) {
             isBorne = true;
+            if (2 * bodies.count() > support.length) {
+                support = Arrays.copyOf(support, Math.max(2 * bodies.count(), support.length + support.length / 8));
+            }
             support[2 * i] += px * bodies.inverseMass(i);
             support[2 * i + 1] += py * bodies.inverseMass(i);
         }
@@ -85,7 +85,7 @@ final class Touching {
 
     /** The speed that contacts at rest gave to a body in the last tick: what it lies on bore so much of its fall. */
     double support(int i) {
-        return i < 0 || !isBorne
+        return i < 0 || !isBorne || 2 * i >= support.length
                 ? 0
                 : Math.sqrt(support[2 * i] * support[2 * i] + support[2 * i + 1] * support[2 * i + 1]);
     }

@@ -17,7 +17,7 @@ final class CellExpansions {
     /** Makes room for this many cells, all empty. */
     void begin(int cells) {
         if (cells * LOCALS > local.length) {
-            int capacity = cells + cells / 4;
+            int capacity = cells + cells / 8;
             moment = new double[capacity * MOMENTS];
             local = new double[capacity * LOCALS];
         }

@@ -80,7 +80,7 @@ final class MassTree implements Work {
             kernel.use(cells);
         }
         if (tree.nodes() > reach.length) {
-            int capacity = tree.nodes() + tree.nodes() / 4;
+            int capacity = tree.nodes() + tree.nodes() / 8;
             centreX = new double[capacity];
             centreY = new double[capacity];
             cellMass = new double[capacity];

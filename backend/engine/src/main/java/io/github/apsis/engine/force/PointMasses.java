@@ -16,7 +16,7 @@ final class PointMasses {
     void begin(int masses) {
         count = masses;
         if (count > x.length) {
-            int capacity = count + count / 4;
+            int capacity = Math.max(count, x.length + x.length / 8);
             x = new double[capacity];
             y = new double[capacity];
             mass = new double[capacity];

@@ -71,7 +71,7 @@ public final class Quadtree {
         count = items;
         nodes = 0;
         if (items > minX.length) {
-            int capacity = Math.max(items, 2 * minX.length);
+            int capacity = Math.max(items, minX.length + minX.length / 8);
             boolean points = maxX == minX;
             minX = new double[capacity];
             minY = new double[capacity];

@@ -199,11 +199,11 @@ class InvarianceTest {
                     return Long.toHexString(world.stateHash());
                 })
                 .containsExactly(
-                        "d0e0468d552c585c",
-                        "f1b5de6552e5fffc",
-                        "3630e161db68d077",
-                        "2322e5eccc4b4384",
-                        "bfb6d5904bc4dfc6",
-                        "ced0b068cb442bc7");
+                        "9af12a86adbd0198",
+                        "c6b4b075db5b2fb8",
+                        "e55ea5aace496c87",
+                        "18df0f69b264c4f0",
+                        "bf049d3d3175a6e6",
+                        "eab7dfea71255d77");
     }
 }
