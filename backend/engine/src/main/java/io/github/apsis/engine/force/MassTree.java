@@ -25,6 +25,7 @@ final class MassTree implements Work {
     private static final double SMALLEST = 1e-40;
 
     private final CellKernels[] kernels; // by member of the team
+    private final Giants giants;
     private final Quadtree tree = Quadtree.ofPoints(LEAF_SIZE);
     private final PointMasses masses = new PointMasses();
     private final CellExpansions cells = new CellExpansions();
@@ -41,14 +42,16 @@ final class MassTree implements Work {
     private boolean[] ordinaryBough = new boolean[64];
     private boolean ordinary; // no coordinate is so small that d³ underflows, or so large that d² overflows
 
-    MassTree(CellKernels[] kernels) {
+    MassTree(CellKernels[] kernels, Giants giants) {
         this.kernels = kernels;
+        this.giants = giants;
     }
 
     /** Sorts the bodies into a tree and works out its cells. */
     void plant(Bodies planted, double openingAngle, Team team) {
         theta = openingAngle;
         int count = planted.count();
+        giants.find(planted);
         tree.begin(count);
         for (int i = 0; i < count; i++) {
             tree.setPoint(i, planted.x(i), planted.y(i));
@@ -111,7 +114,7 @@ final class MassTree implements Work {
     public void doPiece(int piece, int member) {
         int root = bough[piece];
         if (bodies != null) {
-            masses.load(bodies, tree, tree.first(root), tree.end(root));
+            masses.load(bodies, tree, giants, tree.first(root), tree.end(root));
         }
         ordinaryBough[piece] = NearSources.areOrdinary(masses, tree.first(root), tree.end(root));
         for (int cell = tree.past(root) - 1; cell >= root; cell--) { // children stand behind their parent

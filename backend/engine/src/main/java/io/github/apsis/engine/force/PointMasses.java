@@ -36,10 +36,11 @@ final class PointMasses {
         }
     }
 
-    /** Copies bodies in the order of the tree, so that those of a node are a run. */
-    void load(Bodies bodies, Quadtree tree, int start, int stop) {
+    /** Copies bodies in the order of the tree, so that those of a node are a run, with their masses in the tree. */
+    void load(Bodies bodies, Quadtree tree, Giants giants, int start, int stop) {
         for (int k = start; k < stop; k++) {
             load(k, bodies, tree.item(k));
+            mass[k] = giants.massInTree(mass[k]);
         }
     }
 

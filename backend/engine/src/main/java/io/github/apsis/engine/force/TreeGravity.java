@@ -44,6 +44,7 @@ public final class TreeGravity implements ForceLaw {
     private final DirectGravity exact;
     private final Team team;
     private final Team alone = Team.ofOne();
+    private final Giants giants;
     private final MassTree masses;
     private final CellWalk trunk;
     private final CellWalk[] walks; // by member of the team
@@ -72,7 +73,8 @@ public final class TreeGravity implements ForceLaw {
         this.exact = new DirectGravity(g, softening);
         var kernels = new CellKernels[team.size()];
         Arrays.setAll(kernels, member -> new CellKernels(softening));
-        this.masses = new MassTree(kernels);
+        this.giants = new Giants(softening);
+        this.masses = new MassTree(kernels, giants);
         this.trunk = new CellWalk(masses, kernels[0], softening);
         this.walks = new CellWalk[team.size()];
         Arrays.setAll(walks, member -> new CellWalk(masses, kernels[member], softening));
@@ -116,6 +118,12 @@ public final class TreeGravity implements ForceLaw {
 
     private void pullBough(int bough, int member) {
         walks[member].pullBough(bough, trunk);
+        int cell = masses.bough(bough);
+        giants.pull(
+                masses.masses(),
+                masses.tree(),
+                masses.tree().first(cell),
+                masses.tree().end(cell));
     }
 
     private void giveToBough(int bough, int member) {
