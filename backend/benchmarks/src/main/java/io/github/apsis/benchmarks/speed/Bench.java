@@ -19,6 +19,10 @@ final class Bench {
         this.progress = progress;
     }
 
+    int threads() {
+        return threads;
+    }
+
     Length length() {
         return length;
     }
