@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
  * are one run of memory. A plane is folded up into a torus of three cells for each circle, or up to six, so what has flown off
  * costs nothing; circles that are neighbours only by the fold are told apart by their distance.
  *
- * <p>25 ns a circle for sorting and all pairs where all are of one size, twice that where radii are spread evenly from 1 to 100,
- * four times where their logarithms are. Nothing is allocated once warm.
+ * <p>17 to 26 ns a circle, of 1000 and of 5000, for sorting and all pairs where all are of one size; up to twice and a half that
+ * where radii go from 1 to 100 with a density falling as r⁻³. Nothing is allocated once warm.
  */
 public final class CircleGrid {
     private static final int LEVELS = 128;
