@@ -68,7 +68,7 @@ public final class World implements AutoCloseable {
         team = new Team(spec.threads());
         gravity = gravityOf(spec, team);
         forces = new Forces(lawsOf(gravity, spec));
-        steering = steeringOf(spec);
+        steering = steeringOf(spec, team);
         stepper = stepperOf(spec, forces);
         wrecks = spec.shipsAreMortal() ? new Wrecks(bodies) : null;
         if (wrecks != null) {
@@ -355,9 +355,9 @@ public final class World implements AutoCloseable {
         return laws;
     }
 
-    private static Steering steeringOf(WorldSpec spec) {
+    private static Steering steeringOf(WorldSpec spec, Team team) {
         var walls = spec.boundary() instanceof Boundary.Walls w ? w.box() : null;
-        return new Steering(spec.steering(), spec.gravity(), spec.seed(), walls, periodOf(spec));
+        return new Steering(spec.steering(), spec.gravity(), spec.seed(), walls, periodOf(spec), team);
     }
 
     private static @Nullable Period periodOf(WorldSpec spec) {

@@ -29,7 +29,7 @@ class ArchitectureTest {
         "body, 'math'",
         "spatial, 'body math'",
         "force, 'body spatial math parallel'",
-        "steering, 'body spatial math'",
+        "steering, 'body spatial math parallel'",
         "integration, 'force body math'",
         "collision, 'body spatial math'",
         "stepping, 'integration collision force body spatial math'",

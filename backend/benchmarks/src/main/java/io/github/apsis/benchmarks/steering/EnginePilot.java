@@ -12,6 +12,7 @@ import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.body.ShipLimits;
 import io.github.apsis.engine.math.Aabb;
+import io.github.apsis.engine.parallel.Team;
 import io.github.apsis.engine.steering.Preference;
 import io.github.apsis.engine.steering.Steering;
 import io.github.apsis.engine.steering.SteeringSpec;
@@ -49,7 +50,8 @@ final class EnginePilot implements Pilot {
                 1,
                 heading,
                 box > 0 ? Aabb.centred(box, box) : null,
-                null); // G is 1: the mass of a planet is its mu
+                null,
+                Team.ofOne()); // G is 1: the mass of a planet is its mu
     }
 
     @Override

@@ -8,8 +8,11 @@ import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.ShipLimits;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Rng;
+import io.github.apsis.engine.parallel.Team;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What a decision may depend on: the bodies as they are, the seed and the tick. */
 class SteeringDeterminismTest {
@@ -28,6 +31,30 @@ class SteeringDeterminismTest {
         }
 
         assertThat(loaded.hash()).isEqualTo(bodies.hash());
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 8})
+    void a_crowd_has_the_same_history_by_any_number_of_threads_after_loading_too(int threads) {
+        Bodies alone = crowd(300);
+        Bodies together = crowd(300);
+        Steering byOne = steering();
+
+        try (Team team = new Team(threads)) {
+            Steering byAll = steering(team);
+            for (int tick = 0; tick < 200; tick++) {
+                step(byOne, alone, tick);
+                step(byAll, together, tick);
+            }
+            Bodies loaded = copyOf(together);
+            Steering afterwards = steering(team);
+            for (int tick = 200; tick < 400; tick++) {
+                step(byOne, alone, tick);
+                step(afterwards, loaded, tick);
+            }
+
+            assertThat(loaded.hash()).isEqualTo(alone.hash());
+        }
     }
 
     @Test
@@ -73,7 +100,11 @@ class SteeringDeterminismTest {
     }
 
     private static Steering steering() {
-        return new Steering(SteeringSpec.DEFAULT, 0, 7, WALLS, null);
+        return steering(Team.ofOne());
+    }
+
+    private static Steering steering(Team team) {
+        return new Steering(SteeringSpec.DEFAULT, 0, 7, WALLS, null, team);
     }
 
     private static Helm helm(Neighbours neighbours, Courses courses) {
@@ -91,9 +122,39 @@ class SteeringDeterminismTest {
     }
 
     private static Bodies crowd() {
+        return crowd(80);
+    }
+
+    /** What a file that holds the columns of all bodies gives back. */
+    private static Bodies copyOf(Bodies saved) {
+        var loaded = new Bodies();
+        for (int i = 0; i < saved.count(); i++) {
+            double x = saved.x(i);
+            double y = saved.y(i);
+            BodyDef def = saved.isShip(i)
+                    ? BodyDef.ship(x, y, saved.mass(i), saved.radius(i), new ShipLimits(120, 200))
+                    : BodyDef.asteroid(x, y, saved.mass(i), saved.radius(i));
+            loaded.add(def);
+            loaded.place(i, x, saved.xLow(i), y, saved.yLow(i));
+            loaded.setVelocity(i, saved.vx(i), saved.vxLow(i), saved.vy(i), saved.vyLow(i));
+            if (saved.isShip(i)) {
+                loaded.setHeading(i, saved.headingX(i), saved.headingY(i), saved.turnRate(i));
+                loaded.setThrust(i, saved.thrustX(i), saved.thrustY(i));
+                loaded.setCourse(i, saved.courseX(i), saved.courseY(i), saved.isEvading(i));
+                loaded.setThreat(i, saved.threat(i), saved.contactIn(i));
+                if (saved.hasTarget(i)) {
+                    loaded.setTarget(i, saved.targetX(i), saved.targetY(i));
+                }
+            }
+        }
+        assertThat(loaded.hash()).isEqualTo(saved.hash());
+        return loaded;
+    }
+
+    private static Bodies crowd(int count) {
         var rng = new Rng(3);
         var bodies = new Bodies();
-        for (int i = 0; i < 80; i++) {
+        for (int i = 0; i < count; i++) {
             double x = rng.between(-380, 380);
             double y = rng.between(-380, 380);
             BodyDef body = i % 4 == 0
