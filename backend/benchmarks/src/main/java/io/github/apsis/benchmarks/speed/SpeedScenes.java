@@ -13,6 +13,7 @@ final class SpeedScenes {
             new BroadPhaseScene(BroadPhaseScene.Radii.EQUAL),
             new BroadPhaseScene(BroadPhaseScene.Radii.MIXED),
             new ShipScene(),
+            new FleetScene(),
             RoomScene.alone(),
             RoomScene.hundred(),
             new Moonshot(),

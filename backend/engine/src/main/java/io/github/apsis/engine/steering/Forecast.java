@@ -24,6 +24,8 @@ final class Forecast {
      */
     private static final double[] TIMES = {0.048, 0.12, 0.22, 0.36, 0.6, 1.0, 1.6};
 
+    private static final int SOON = 3; // of these times: 0.9 s for 120 units/s and 200 units/s²
+
     static final int COUNT = TIMES.length;
 
     /** How many of these concern ships and walls: beyond the horizon there are rocks alone. */
@@ -33,7 +35,7 @@ final class Forecast {
     private static final double CALM_ROCK = 0.3; // of the margin, against what moves along with the ship
     private static final double ROCK = 0.45; // of the margin: a rock has no mind to change
     private static final double ROCK_SPEED = 0.5; // relative, of the top speed, from which on the margin is whole
-    private static final double CALM_SHIP = 0.4;
+    private static final double CALM_SHIP = 0.7;
     private static final double SHIP_SPEED = 0.4;
 
     private final Courses courses;
@@ -111,6 +113,23 @@ final class Forecast {
             x[k][m] = startX[m] + vx * along + 0.5 * ax * t * t;
             y[k][m] = startY[m] + vy * along + 0.5 * ay * t * t;
         }
+    }
+
+    /** The rock that lies on a place, now and still when a ship could be there; negative when there is none. */
+    int rockOn(double px, double py, double clearance) {
+        for (int m = 0; m < count; m++) {
+            double within = touch[m] + clearance;
+            if (!ship[m]
+                    && square(startX[m] - px, startY[m] - py) < within * within
+                    && square(x[SOON][m] - px, y[SOON][m] - py) < within * within) {
+                return m;
+            }
+        }
+        return -1;
+    }
+
+    private static double square(double dx, double dy) {
+        return dx * dx + dy * dy;
     }
 
     int count() {

@@ -23,7 +23,7 @@ final class Helm {
     private static final double FULL_SPEED = 0.98; // of the top speed
 
     private final SteeringSpec spec;
-    private final Preference seek;
+    private final Seek seek;
     private final Preference wander;
     private final Planner planner;
     private final SteeringVector preferred = new SteeringVector();
@@ -40,7 +40,7 @@ final class Helm {
         this.spec = spec;
         this.wander = wander;
         seek = new Seek(spec.arrival(), spec.slowingRadius());
-        planner = new Planner(neighbours, courses, gravity, walls, period);
+        planner = new Planner(seek, neighbours, courses, gravity, walls, period);
     }
 
     /** How fast a velocity follows its course, time. */
@@ -53,7 +53,7 @@ final class Helm {
         (seeks ? seek : wander).prefer(bodies, i, tick, dt, preferred);
         double nearness = seeks ? nearness(bodies, i) : 0;
         if (spec.avoidance() == Avoidance.PLANNED && Planner.isDue(bodies, i, tick, dt)) {
-            planner.plan(bodies, i, preferred.x, preferred.y, nearness);
+            planner.plan(bodies, i, preferred, nearness, dt);
         } else if (spec.avoidance() != Avoidance.PLANNED || !bodies.isEvading(i)) {
             bodies.setCourse(i, preferred.x, preferred.y, false);
         }

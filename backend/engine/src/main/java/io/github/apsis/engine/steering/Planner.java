@@ -27,6 +27,7 @@ final class Planner {
     private static final double SQUEEZE = 0.5; // stopping times until contact
     private static final double MARGIN_RADII = 1.5; // of the ship
     private static final double MARGIN_STOPPING = 1.0 / 3; // of the distance in which it stops
+    private static final double WAITING_GAP_RADII = 0.2; // of the ship: between its rim and that of the rock
     private static final double USABLE = 0.9; // share of the engine that is planned with
 
     private static final double SLOWER = 1.2;
@@ -40,6 +41,7 @@ final class Planner {
     private static final double LEAST =
             0.1; // of the engine, that gravity leaves in any direction: outside it is kept clear of
 
+    private final Seek seek;
     private final Neighbours neighbours;
     private final Courses courses;
     private final Nearest nearest;
@@ -66,7 +68,14 @@ final class Planner {
     private double bestX;
     private double bestY;
 
-    Planner(Neighbours neighbours, Courses courses, double gravity, @Nullable Aabb walls, @Nullable Period period) {
+    Planner(
+            Seek seek,
+            Neighbours neighbours,
+            Courses courses,
+            double gravity,
+            @Nullable Aabb walls,
+            @Nullable Period period) {
+        this.seek = seek;
         this.neighbours = neighbours;
         this.courses = courses;
         nearest = new Nearest(gravity, period);
@@ -95,10 +104,10 @@ final class Planner {
     /**
      * Sets the course of the ship in slot {@code i}.
      *
-     * @param px the velocity that it prefers
+     * @param wish the velocity that it prefers; becomes another where its target is covered
      * @param nearness of its target, 0 when it has none or it is far to 1 within the slowing radius
      */
-    void plan(Bodies bodies, int i, double px, double py, double nearness) {
+    void plan(Bodies bodies, int i, SteeringVector wish, double nearness, double dt) {
         double stopping = stoppingTime(bodies, i);
         double horizon = HORIZON * stopping;
         double range = range(bodies, i);
@@ -110,9 +119,12 @@ final class Planner {
         risk.begin(bodies, i, range, horizon, margin);
         bodies.setThreat(i, 0, Double.POSITIVE_INFINITY);
         if (!risk.isAnythingNear()) {
-            bodies.setCourse(i, px, py, false);
+            bodies.setCourse(i, wish.x, wish.y, false);
             return;
         }
+        boolean waits = nearness == 1 && waitBesideRock(bodies, i, dt, wish);
+        double px = wish.x;
+        double py = wish.y;
         prefer(px, py, nearness);
         lag = nearness < 1 ? Helm.response(bodies, i) : 0;
         double riskOfPreferred = risk.of(px, py, accelerationTo(px, py), lag, Double.MAX_VALUE);
@@ -124,7 +136,7 @@ final class Planner {
             firstSide = onTheRight ? -1 : 1;
         }
         if (riskOfPreferred == 0) {
-            bodies.setCourse(i, px, py, false);
+            bodies.setCourse(i, px, py, waits);
             return;
         }
         best = Double.MAX_VALUE;
@@ -133,7 +145,29 @@ final class Planner {
         bestY = py;
         lag = Helm.response(bodies, i);
         tryAll(courses.isEvading(i), STEP * bodies.maxSpeed(i));
-        bodies.setCourse(i, bestX, bestY, bestX != px || bestY != py);
+        bodies.setCourse(i, bestX, bestY, waits || bestX != px || bestY != py);
+    }
+
+    /** Where a rock lies on the target, prefers the free place closest to it instead of circling the rock. */
+    private boolean waitBesideRock(Bodies bodies, int i, double dt, SteeringVector wish) {
+        double dx = bodies.targetX(i) - bodies.x(i);
+        double dy = bodies.targetY(i) - bodies.y(i);
+        double gap = WAITING_GAP_RADII * bodies.radius(i);
+        int m = forecast.rockOn(dx, dy, gap);
+        if (m < 0) {
+            return false;
+        }
+        double fromX = dx - forecast.startX(m);
+        double fromY = dy - forecast.startY(m);
+        double from = Math.sqrt(fromX * fromX + fromY * fromY);
+        if (from > 0) { // in the very middle any side is as good: the ship stays where it is going
+            double out = (forecast.touch(m) + gap) / from;
+            double restX = forecast.startX(m) + out * fromX;
+            double restY = forecast.startY(m) + out * fromY;
+            seek.towards(bodies, i, restX, restY, dt, wish);
+            risk.restAt(restX, restY);
+        }
+        return true;
     }
 
     private void see(Bodies bodies, int i) {

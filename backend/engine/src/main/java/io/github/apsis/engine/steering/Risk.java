@@ -9,8 +9,12 @@ import org.jspecify.annotations.Nullable;
  *
  * <pre>
  *   need(t) = margin · (0.7 + 0.3 t/H)        left = (1 − t/H)²
- *   too close: 4 (0.02 + left) (need − gap) / margin        touching: + 8 (0.15 + left)
+ *   too close: 4 (c + left) (need − gap) / margin        touching: + 4 (0.15 + left) (1 + 8 depth / margin)
  * </pre>
+ *
+ * <p>c is 0.02, and 0.2 against ships. The depth tells a graze from a blow: without it a ship in a jam, where every course touches
+ * somebody, flew straight into one that crossed. Parting early from ships and counting depth took circles of 200 from 6 meetings in 30
+ * seeds to 2 in the same.
  *
  * <p>Where two are closer already than they should be, need starts from there and grows: what counts is to get apart. The worst of
  * all neighbours instead of the sum hides the second threat behind the first.
@@ -19,13 +23,15 @@ final class Risk {
     private static final double NEED_NOW = 0.7; // of the margin
     private static final double CLOSE = 4;
     private static final double CLOSE_LATE = 0.02;
-    private static final double TOUCH = 8;
+    private static final double CLOSE_LATE_SHIP = 0.2; // ships part early, while they still have a choice
+    private static final double TOUCH = 4;
     private static final double TOUCH_LATE = 0.15;
     private static final double BEYOND = 0.03; // the same after the horizon: enough to leave a gap that closes slowly
-    private static final double DEEPER = 0.2; // share more per margin of overlap
-    private static final double ALMOST = 0.1; // of the margin: closer counts as touching
+    private static final double DEEPER = 8; // times more per margin of overlap: of two evils the graze
+    private static final double ALMOST = 0.2; // of the margin: closer counts as touching
     private static final double APART = 3; // margins per horizon in which to part
     private static final double AT_ONCE = 0.05; // margins: two that touch must part, and not merely stay
+    private static final double STRAIGHT = 1e-6; // radians
     private static final double WALL = 0.3; // of the margin: a wall stands still
 
     private final Forecast forecast;
@@ -35,6 +41,8 @@ final class Risk {
     private double vy;
     private double horizon; // time
     private double fullMargin; // length
+    private double restX; // where a course towards it ends, relative to where the ship is; 0 when nowhere
+    private double restY;
     private boolean nearWall;
     private double wallGap; // now, length
     private double left; // where the centre may be, relative to where it is
@@ -62,6 +70,8 @@ final class Risk {
         vy = bodies.vy(i);
         horizon = until;
         fullMargin = margin;
+        restX = 0;
+        restY = 0;
         nearWall = false;
         if (walls != null) {
             double r = bodies.radius(i);
@@ -72,6 +82,12 @@ final class Risk {
             wallGap = wallGap(0, 0);
             nearWall = wallGap < range;
         }
+    }
+
+    /** From now on a course straight towards this place is taken to end there. */
+    void restAt(double x, double y) {
+        restX = x;
+        restY = y;
     }
 
     /** Whether there is anything to run into. */
@@ -115,6 +131,21 @@ final class Risk {
             pathX[k] = Manoeuvre.at(forecast.time(k), vx, wx, duration);
             pathY[k] = Manoeuvre.at(forecast.time(k), vy, wy, duration);
         }
+        double towards = wx * restX + wy * restY;
+        if (towards > 0 && Math.abs(wx * restY - wy * restX) <= STRAIGHT * towards) {
+            endPath(restX * restX + restY * restY);
+        }
+    }
+
+    private void endPath(double distanceSquared) {
+        for (int k = 0; k < Forecast.COUNT; k++) {
+            double d2 = pathX[k] * pathX[k] + pathY[k] * pathY[k];
+            if (d2 > distanceSquared) {
+                double cut = Math.sqrt(distanceSquared / d2);
+                pathX[k] *= cut;
+                pathY[k] *= cut;
+            }
+        }
     }
 
     private double ofWalls() {
@@ -122,7 +153,7 @@ final class Risk {
         for (int k = 0; k < Forecast.WITHIN_HORIZON; k++) {
             double gap = wallGap(pathX[k], pathY[k]);
             if (gap < WALL * fullMargin) {
-                most = Math.max(most, severity(gap, forecast.time(k), WALL * fullMargin, wallGap));
+                most = Math.max(most, severity(gap, forecast.time(k), WALL * fullMargin, wallGap, CLOSE_LATE));
             }
         }
         return most;
@@ -166,7 +197,8 @@ final class Risk {
     }
 
     private double note(int m, double gap, double when) {
-        double now = severity(gap, when, forecast.margin(m), forecast.gap(m));
+        double closeLate = forecast.isShip(m) ? CLOSE_LATE_SHIP : CLOSE_LATE;
+        double now = severity(gap, when, forecast.margin(m), forecast.gap(m), closeLate);
         if (now > worstCost) {
             worstCost = now;
             worst = m;
@@ -177,7 +209,7 @@ final class Risk {
         return more;
     }
 
-    private double severity(double gap, double when, double margin, double start) {
+    private double severity(double gap, double when, double margin, double start, double closeLate) {
         double f = Math.min(1, when / horizon);
         double need = margin * (NEED_NOW + (1 - NEED_NOW) * f);
         double hard = ALMOST * margin;
@@ -190,7 +222,7 @@ final class Risk {
             return 0;
         }
         double late = (1 - f) * (1 - f);
-        double severity = CLOSE * (CLOSE_LATE + late) * Math.min(1, (need - gap) / margin);
+        double severity = CLOSE * (closeLate + late) * Math.min(1, (need - gap) / margin);
         if (gap < hard) {
             severity += TOUCH
                     * ((when > horizon ? BEYOND : TOUCH_LATE) + late)

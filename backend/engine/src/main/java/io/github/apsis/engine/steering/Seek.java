@@ -30,8 +30,11 @@ final class Seek implements Preference {
 
     @Override
     public void prefer(Bodies bodies, int i, long tick, double dt, SteeringVector velocity) {
-        double dx = bodies.targetX(i) - bodies.x(i);
-        double dy = bodies.targetY(i) - bodies.y(i);
+        towards(bodies, i, bodies.targetX(i) - bodies.x(i), bodies.targetY(i) - bodies.y(i), dt, velocity);
+    }
+
+    /** The same to any place, given relative to the ship. */
+    void towards(Bodies bodies, int i, double dx, double dy, double dt, SteeringVector velocity) {
         double distance = Math.sqrt(dx * dx + dy * dy);
         if (distance == 0) {
             velocity.set(0, 0);

@@ -173,9 +173,10 @@ class AvoidanceTest {
         assertThat(pulled.snapshot().x(1)).isCloseTo(600, within(0.1));
     }
 
-    @Test
-    void ships_of_different_size_speed_and_force_keep_clear_of_each_other() {
-        var rng = new Rng(5);
+    @ParameterizedTest
+    @ValueSource(longs = {5, 6, 7, 8, 9, 10})
+    void ships_of_different_size_speed_and_force_keep_clear_of_each_other(long seed) {
+        var rng = new Rng(seed);
         for (int i = 0; i < 16; i++) {
             double radius = rng.between(3, 20);
             double speed = rng.between(40, 160);
@@ -191,7 +192,37 @@ class AvoidanceTest {
 
         fly(25);
 
+        assertThat(closest).as("seed %d", seed).isGreaterThan(0);
+    }
+
+    @Test
+    void small_fast_ships_give_way_to_a_freighter_that_can_hardly_turn() {
+        BodyDef freighter = BodyDef.ship(0, -400, 400, 40, new ShipLimits(30, 400 * 6)); // needs 5 s and 75 to stop
+        world.apply(new Command.SeekTarget(world.add(freighter), 0, 400));
+        for (int i = 0; i < 24; i++) {
+            double side = i % 2 == 0 ? 1 : -1;
+            seeker(side * (300 + 30 * i), -300 + 25 * i, -side * 500, -300 + 25 * i);
+        }
+
+        fly(32); // straight ahead it takes 32
+
         assertThat(closest).isGreaterThan(0);
+        assertThat(world.snapshot().y(0)).isGreaterThan(200);
+    }
+
+    @Test
+    void a_ship_whose_target_lies_under_a_rock_waits_beside_it_and_arrives_when_it_has_gone() {
+        BodyId ship = seeker(-200, 3, 0, 0);
+        world.add(rock(-5, -20, 30).moving(0, 1.5)); // lies on the target for the first half minute
+
+        fly(20);
+        double whileCovered = Math.hypot(world.snapshot().x(0), world.snapshot().y(0));
+        fly(30);
+
+        assertThat(closest).isGreaterThan(0);
+        assertThat(whileCovered)
+                .isLessThan(60); // the rock reaches 40 from the target, the ship's centre is 8 farther out
+        assertArrived(ship, 0, 0);
     }
 
     @Test
