@@ -648,9 +648,14 @@ public final class Bodies {
         return ships.threat(i);
     }
 
-    /** In how much time it would; infinite when there is none. */
+    /** In how much time it would; infinite when there is none, NaN before the first look. */
     public double contactIn(int i) {
         return ships.contactIn(i);
+    }
+
+    /** Whether a ship has looked around since it was added. */
+    public boolean hasLooked(int i) {
+        return !Double.isNaN(ships.contactIn(i));
     }
 
     public void setThreat(int i, long body, double time) {

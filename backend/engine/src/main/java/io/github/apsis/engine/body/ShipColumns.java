@@ -64,7 +64,7 @@ final class ShipColumns {
         courseY[r] = vy;
         evading[r] = false;
         threat[r] = 0;
-        contactIn[r] = Double.POSITIVE_INFINITY;
+        contactIn[r] = Double.NaN;
     }
 
     private void grow(int rows) {

@@ -93,12 +93,12 @@ final class Planner {
         return bodies.maxSpeed(i) / (bodies.maxForce(i) * bodies.inverseMass(i));
     }
 
-    /** Whether the ship thinks again in this tick: not all at once, and twice as often in a squeeze. */
+    /** Whether the ship thinks again in this tick: not all at once, twice as often in a squeeze, and at once when it is new. */
     static boolean isDue(Bodies bodies, int i, long tick, double dt) {
         double stopping = stoppingTime(bodies, i);
         double period = bodies.contactIn(i) < SQUEEZE * stopping ? 0.5 * PERIOD : PERIOD;
         int ticks = (int) Math.min(1000, Math.max(1, Math.rint(period * stopping / dt)));
-        return (tick + bodies.idValue(i)) % ticks == 0;
+        return (tick + bodies.idValue(i)) % ticks == 0 || !bodies.hasLooked(i);
     }
 
     /**
