@@ -13,6 +13,8 @@ import io.github.apsis.engine.math.Rng;
  * collisions. A ship's thrust never lifts it above its top speed; gravity may.
  */
 final class SceneState {
+    private static final double DOCK_DISTANCE = 10;
+    private static final double DOCK_SPEED = 30;
     private static final double TURN_MEMORY = 0.5; // of wanderers, time
     private static final double RESTLESSNESS = 3; // time^(−3/2)
     private static final double WALL_SHYNESS = 60; // length
@@ -206,6 +208,11 @@ final class SceneState {
     void remove(int i) {
         live[i] = false;
         liveCount--;
+    }
+
+    /** Whether a ship is slow enough and close enough to its goal to have arrived. */
+    boolean hasDocked(int i) {
+        return distanceToGoal(i) < DOCK_DISTANCE && speed(i) <= DOCK_SPEED;
     }
 
     double distanceToGoal(int i) {

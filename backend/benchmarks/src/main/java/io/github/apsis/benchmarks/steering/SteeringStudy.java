@@ -14,9 +14,10 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 
-/** Runs scenes with all methods, and writes what came out. */
+/** Runs scenes with all methods, and writes what came out; of the small circle a picture too. */
 public final class SteeringStudy {
     private static final String ARRIVAL = "arrival";
+    private static final String DRAWN = "circle50";
     private static final int ARRIVALS = 24;
     private static final int HEAD_ONS = 5;
 
@@ -79,9 +80,20 @@ public final class SteeringStudy {
                         out.resolve("arrival.csv"),
                         Csv.file(ArrivalRow.HEADER, arrivals.stream().map(ArrivalRow::csv)));
             }
+            draw(scenes, methods, out);
             Files.writeString(out.resolve("table.md"), new SteeringReport(rows, arrivals).toString());
         }
         return new Outcome(table, summary());
+    }
+
+    private static void draw(Map<String, List<SteeringScene>> scenes, List<Contender> methods, Path out)
+            throws IOException {
+        for (Contender method : List.of(Contender.APSIS, Contender.GDX_PRIORITY)) {
+            if (scenes.containsKey(DRAWN) && methods.contains(method)) {
+                String svg = new PathPicture(scenes.get(DRAWN).get(0), method).svg();
+                Files.writeString(out.resolve("paths-" + DRAWN + "-" + method.label() + ".svg"), svg);
+            }
+        }
     }
 
     private void run(String name, List<SteeringScene> instances, Contender method) {

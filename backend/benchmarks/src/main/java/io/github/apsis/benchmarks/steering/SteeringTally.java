@@ -12,8 +12,6 @@ import java.util.BitSet;
 /** What happened in one run of a scene, or in several together. */
 final class SteeringTally {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
-    private static final double DOCK_DISTANCE = 10;
-    private static final double DOCK_SPEED = 30;
     private static final double LOOK = 30; // between rims, length
     private static final double MOVING = 5; // below this speed a direction says nothing
 
@@ -114,7 +112,7 @@ final class SteeringTally {
                 }
             }
             for (int i = 0; i < state.ships && scene.dock(); i++) {
-                if (state.live[i] && state.distanceToGoal(i) < DOCK_DISTANCE && state.speed(i) <= DOCK_SPEED) {
+                if (state.live[i] && state.hasDocked(i)) {
                     state.remove(i);
                     arrived++;
                     double straight = length(
