@@ -91,7 +91,8 @@ public final class SteeringStudy {
         for (Contender method : List.of(Contender.APSIS, Contender.GDX_PRIORITY)) {
             if (scenes.containsKey(DRAWN) && methods.contains(method)) {
                 String svg = new PathPicture(scenes.get(DRAWN).get(0), method).svg();
-                Files.writeString(out.resolve("paths-" + DRAWN + "-" + method.label() + ".svg"), svg);
+                Path folder = Files.createDirectories(out.resolve("plots"));
+                Files.writeString(folder.resolve("paths-" + DRAWN + "-" + method.label() + ".svg"), svg);
             }
         }
     }
