@@ -26,7 +26,7 @@ final class ImpulseSolver {
     private static final double FASTEST = 1e100;
 
     /** What is solved directly may miss so much of the most that a contact lacks. */
-    private static final double DIRECT_TOLERANCE = 1e-7;
+    private static final double DIRECT_TOLERANCE = 1e-9;
 
     /** So many contacts and more are solved directly after few rounds, since a factor costs less than the other rounds. */
     private static final int MANY = 500;
