@@ -12,6 +12,7 @@ test.afterAll(() => apsis.stop());
 test.use({ mayLoseServer: true });
 
 test('the_page_survives_a_restart_of_the_server', async ({ page }) => {
+  test.setTimeout(120_000); // a server starts twice, on a machine that may have other work
   await openLive(page, apsis.url);
   await find(page, 'ship');
   await page.getByRole('listitem').getByRole('button', { name: /^Ship/ }).first().click();

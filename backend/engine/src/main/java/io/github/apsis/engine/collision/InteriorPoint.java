@@ -13,10 +13,10 @@ package io.github.apsis.engine.collision;
  */
 final class InteriorPoint {
     /** √μ at which it ends, as a share of the most that a contact lacks. */
-    private static final double END = 1e-6;
+    private static final double END = 1e-8;
 
     /** ε: contacts yield by this, in the unit of A: bodies jammed between others would else be pressed without limit. */
-    private static final double YIELD = 1e-8;
+    private static final double YIELD = 1e-11;
 
     private static final int MOST_STEPS = 60;
 
