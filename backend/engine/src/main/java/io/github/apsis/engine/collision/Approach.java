@@ -7,6 +7,9 @@ final class Approach {
     /** A closing speed below this share of the speeds it is the difference of is rounding. */
     private static final double ROUNDING = 1e-12;
 
+    /** Sums and squares may round to either side. */
+    private static final double SURELY = 1 - 1e-12;
+
     private final Paths paths;
     private final ContactGeometry contact;
     private final Touching touching;
@@ -76,6 +79,16 @@ final class Approach {
      */
     boolean isGentle(Bodies bodies, int a, int b) {
         return isGentle(bodies, a, b, contact, closingSpeed, mode.restingTicks());
+    }
+
+    /** Whether two bodies move past each other so slowly all through the tick that no normal could make their contact a bounce. */
+    boolean isGentleAlways(Bodies bodies, int a, int b) {
+        double wx = Math.abs(bodies.vx(b) - bodies.vx(a));
+        double wy = Math.abs(bodies.vy(b) - bodies.vy(a));
+        double bx = Math.abs(Paths.accelerationX(bodies, b) - Paths.accelerationX(bodies, a));
+        double by = Math.abs(Paths.accelerationY(bodies, b) - Paths.accelerationY(bodies, a));
+        double most = wx + wy + 0.5 * paths.dt() * (bx + by);
+        return most * most <= SURELY * 4 * Math.max(touching.supportSquared(a), touching.supportSquared(b));
     }
 
     /** The separating speed that the forces have used up after so long: with it, what comes to rest ends the tick where it lies. */

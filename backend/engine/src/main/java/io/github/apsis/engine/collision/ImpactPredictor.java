@@ -213,6 +213,12 @@ final class ImpactPredictor {
             return; // points never touch, and their contact would have no normal
         }
         meeting.of(bodies, a, b);
+        if (mode == ContactMode.TICK && period == null && approach.isGentleAlways(bodies, a, b)) {
+            if (meeting.touches(bodies, sumOfRadii) || endsNear(bodies, a, b, sumOfRadii)) {
+                gentle.add(a, b); // by far the usual case in a heap, and nobody asks when
+            }
+            return;
+        }
         double t = meeting.time(bodies, sumOfRadii);
         if (!Double.isNaN(t)) {
             enqueue(bodies, a, b, t);

@@ -54,6 +54,14 @@ final class Meeting {
         by = Paths.accelerationY(bodies, other) - Paths.accelerationY(bodies, one);
     }
 
+    /** Whether there is a touch at all; not in a periodic world. */
+    boolean touches(Bodies bodies, double sumOfRadii) {
+        double outside = d0x * d0x + d0y * d0y - sumOfRadii * sumOfRadii;
+        return outside <= 0
+                ? approach(bodies, d0x, d0y)
+                : !Double.isNaN(TimeOfImpact.onChord(d0x, d0y, d1x - d0x, d1y - d0y, outside, sumOfRadii));
+    }
+
     /** The time of the first touch, NaN for none. */
     double time(Bodies bodies, double sumOfRadii) {
         if (period == null) {

@@ -23,15 +23,20 @@ final class PairIndex {
         return size == 0 ? -1 : place[at(pair(first, second))] - 1;
     }
 
-    void put(int first, int second, int position) {
+    /** Notes the position of a pair, unless it has one; returns whether that is so. */
+    boolean put(int first, int second, int position) {
         if (2 * size >= place.length) {
             grow();
         }
         long pair = pair(first, second);
         int at = at(pair);
+        if (place[at] != 0) {
+            return false;
+        }
         key[at] = pair;
         place[at] = position + 1;
         size++;
+        return true;
     }
 
     private int at(long pair) {

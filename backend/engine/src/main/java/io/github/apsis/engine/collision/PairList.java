@@ -11,15 +11,15 @@ final class PairList {
     private static final int DIGIT = 11; // bits; a radix sort of many pairs counts them digit by digit
     private static final int MASK = (1 << DIGIT) - 1;
 
-    private int bodies = 1;
+    private int bits = 1; // of a number
     private int size;
-    private long[] pair = new long[16]; // first · bodies + second
+    private long[] pair = new long[16]; // first, second
     private long[] spare = new long[16];
     private final int[] end = new int[MASK + 1];
 
     /** Forgets all pairs; the next are of so many bodies. */
     void clear(int count) {
-        bodies = Math.max(1, count);
+        bits = Integer.SIZE - Integer.numberOfLeadingZeros(Math.max(1, count - 1));
         size = 0;
     }
 
@@ -32,15 +32,14 @@ final class PairList {
             pair = Arrays.copyOf(pair, 2 * size);
             spare = new long[2 * size];
         }
-        pair[size++] = (long) first * bodies + second;
+        pair[size++] = (long) first << bits | second;
     }
 
     void sort() {
         if (size <= FEW) {
             sortFew();
         } else {
-            long largest = (long) bodies * bodies - 1;
-            for (int shift = 0; largest >>> shift > 0; shift += DIGIT) {
+            for (int shift = 0; shift < 2 * bits; shift += DIGIT) {
                 sortByDigit(shift);
             }
         }
@@ -75,10 +74,10 @@ final class PairList {
     }
 
     int first(int k) {
-        return (int) (pair[k] / bodies);
+        return (int) (pair[k] >>> bits);
     }
 
     int second(int k) {
-        return (int) (pair[k] % bodies);
+        return (int) pair[k] & (1 << bits) - 1;
     }
 }

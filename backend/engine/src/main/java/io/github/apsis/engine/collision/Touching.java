@@ -85,14 +85,18 @@ final class Touching {
 
     /** The speed that contacts at rest gave to a body in the last tick: what it lies on bore so much of its fall. */
     double support(int i) {
+        return Math.sqrt(supportSquared(i));
+    }
+
+    double supportSquared(int i) {
         return i < 0 || !isBorne || 2 * i >= support.length
                 ? 0
-                : Math.sqrt(support[2 * i] * support[2 * i] + support[2 * i + 1] * support[2 * i + 1]);
+                : support[2 * i] * support[2 * i] + support[2 * i + 1] * support[2 * i + 1];
     }
 
     /** Adds a contact between {@code a} and {@code b}, or a wall as a negative number, as it is at its beginning; once. */
     void add(int a, int b, ContactGeometry beginning) {
-        if (index.find(a, b) >= 0) {
+        if (!index.put(a, b, size)) {
             return;
         }
         if (size == first.length) {
@@ -100,7 +104,6 @@ final class Touching {
         }
         int before = indexBefore.find(a, b);
         int k = size++;
-        index.put(a, b, k);
         first[k] = a;
         second[k] = b;
         normalX[k] = beginning.nx;
