@@ -31,6 +31,7 @@ final class Forecast {
     /** How many of these concern ships and walls: beyond the horizon there are rocks alone. */
     static final int WITHIN_HORIZON = COUNT - 1;
 
+    private static final double ROUNDING = 1 + 1e-9;
     private static final double LONGEST_BEND = 2; // (ωt)², beyond it the series is of no use
     private static final double CALM_ROCK = 0.3; // of the margin, against what moves along with the ship
     private static final double ROCK = 0.45; // of the margin: a rock has no mind to change
@@ -48,7 +49,10 @@ final class Forecast {
     private final double[] touch = new double[Nearest.MOST]; // distance of the centres at which rims touch
     private final double[] gap = new double[Nearest.MOST]; // now, length
     private final double[] margin = new double[Nearest.MOST]; // length
+    private final double[] keepOut = new double[Nearest.MOST]; // touch and margin
     private final boolean[] ship = new boolean[Nearest.MOST];
+    private final double[] earliest = new double[Nearest.MOST]; // time before which it cannot be close
+    private final int[] within = new int[COUNT];
     private int count;
 
     Forecast(Courses courses, @Nullable Period period) {
@@ -56,8 +60,13 @@ final class Forecast {
         this.period = period;
     }
 
-    /** Looks ahead for the ship in slot {@code i}. */
-    void look(Bodies bodies, int i, Nearest nearest, double horizon, double topSpeed, double fullMargin) {
+    /**
+     * Looks ahead for the ship in slot {@code i}.
+     *
+     * @param fastest speed of any course that it will try
+     */
+    void look(
+            Bodies bodies, int i, Nearest nearest, double horizon, double topSpeed, double fastest, double fullMargin) {
         count = nearest.count();
         for (int k = 0; k < COUNT; k++) {
             time[k] = TIMES[k] * horizon;
@@ -80,6 +89,35 @@ final class Forecast {
             } else {
                 margin[m] = ROCK * fullMargin * Math.min(1, CALM_ROCK + relative / ROCK_SPEED);
                 foreseeFall(bodies, j, m);
+            }
+            keepOut[m] = touch[m] + margin[m];
+            earliest[m] = earliest(bodies, j, m, fastest);
+        }
+        countWithin();
+    }
+
+    /** How long it takes at least until the two are closer than they should be, if each flies straight at the other. */
+    private double earliest(Bodies bodies, int j, int m, double fastest) {
+        double v2 = square(bodies.vx(j), bodies.vy(j));
+        double gained = 0;
+        if (ship[m]) {
+            v2 = Math.max(v2, square(courses.x(j), courses.y(j)));
+        } else {
+            gained = 0.5 * time[COUNT - 1] * Math.sqrt(square(bodies.ax(j), bodies.ay(j)));
+        }
+        return (gap[m] - margin[m]) / (ROUNDING * (fastest + Math.sqrt(v2) + gained));
+    }
+
+    /** Neighbours come by urgency, so those that can be close soon are about the first. */
+    private void countWithin() {
+        int n = count;
+        for (int k = COUNT - 1; k >= 0; k--) {
+            while (n > 0 && (earliest[n - 1] > time[k] || (k >= WITHIN_HORIZON && ship[n - 1]))) {
+                n--;
+            }
+            within[k] = n;
+            if (k == WITHIN_HORIZON) {
+                n = count;
             }
         }
     }
@@ -132,6 +170,11 @@ final class Forecast {
         return dx * dx + dy * dy;
     }
 
+    /** Of how many neighbours, from the first, any could be near in the {@code k}-th stretch or before. */
+    int within(int k) {
+        return within[k];
+    }
+
     int count() {
         return count;
     }
@@ -140,11 +183,21 @@ final class Forecast {
         return time[k];
     }
 
-    double[] x(int k) {
+    /** Where the neighbours are at the begin of the {@code k}-th stretch. */
+    double[] fromX(int k) {
+        return k == 0 ? startX : x[k - 1];
+    }
+
+    double[] fromY(int k) {
+        return k == 0 ? startY : y[k - 1];
+    }
+
+    /** Where they are at its end. */
+    double[] toX(int k) {
         return x[k];
     }
 
-    double[] y(int k) {
+    double[] toY(int k) {
         return y[k];
     }
 
@@ -162,6 +215,11 @@ final class Forecast {
 
     double touch(int m) {
         return touch[m];
+    }
+
+    /** Distances of the centres at which a ship is close: touch and margin. */
+    double[] keepOut() {
+        return keepOut;
     }
 
     double gap(int m) {

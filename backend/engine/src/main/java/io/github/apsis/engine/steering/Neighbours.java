@@ -25,11 +25,14 @@ final class Neighbours {
     private int[] bucket = new int[0]; // by slot
     private int[] item = new int[0]; // by position, as all below
     private long[] row = new long[0];
-    private double[] x = new double[0];
-    private double[] y = new double[0];
-    private double[] vx = new double[0];
-    private double[] vy = new double[0];
-    private double[] radius = new double[0];
+    // The columns that a search reads, for all bodies in turn.
+    double[] x = new double[0];
+    double[] y = new double[0];
+    double[] vx = new double[0];
+    double[] vy = new double[0];
+    double[] radius = new double[0];
+    double[] rootMass = new double[0]; // mass^(1/2)
+    double[] share = new double[0]; // of the horizon for which it is looked at
 
     /** Sorts all bodies, for searches of about this range, length. */
     void sort(Bodies bodies, double range) {
@@ -72,6 +75,8 @@ final class Neighbours {
         vx[position] = bodies.vx(i);
         vy[position] = bodies.vy(i);
         radius[position] = bodies.radius(i);
+        rootMass[position] = Math.sqrt(bodies.mass(i));
+        share[position] = Nearest.share(bodies, i);
     }
 
     private void makeRoom() {
@@ -90,6 +95,8 @@ final class Neighbours {
             vx = new double[capacity];
             vy = new double[capacity];
             radius = new double[capacity];
+            rootMass = new double[capacity];
+            share = new double[capacity];
         }
     }
 
@@ -103,8 +110,9 @@ final class Neighbours {
 
     /** Offers a search every body whose rim is within its reach, and some that are not. */
     void search(double px, double py, double reach, Nearest of) {
-        for (int p = small; p < count; p++) {
-            of.offer(item[p], x[p], y[p], vx[p], vy[p], radius[p]);
+        int large = of.sift(this, small, count);
+        for (int f = 0; f < large; f++) {
+            of.offer(this, of.found(f));
         }
         double most = reach + largestRadius;
         long fromColumn = cellOf(px - most);
@@ -121,10 +129,22 @@ final class Neighbours {
     }
 
     private void offer(int from, int to, long line, Nearest of) {
-        for (int p = from; p < to; p++) {
+        int found = of.sift(this, from, to);
+        for (int f = 0; f < found; f++) {
+            int p = of.found(f);
             if (row[p] == line) {
-                of.offer(item[p], x[p], y[p], vx[p], vy[p], radius[p]);
+                of.offer(this, p);
             }
         }
+    }
+
+    /** How many positions there may be before there must be more room. */
+    int capacity() {
+        return item.length;
+    }
+
+    /** Of the body at a position. */
+    int slot(int p) {
+        return item[p];
     }
 }

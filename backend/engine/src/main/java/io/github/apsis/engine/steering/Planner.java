@@ -30,6 +30,8 @@ final class Planner {
     private static final double WAITING_GAP_RADII = 0.2; // of the ship: between its rim and that of the rock
     private static final double USABLE = 0.9; // share of the engine that is planned with
 
+    private static final double ROUNDING = 1 + 1e-9;
+
     private static final double SLOWER = 1.2;
     private static final double FASTER = 0.5;
     private static final double SIDEWAYS_FAR = 0.2;
@@ -115,7 +117,7 @@ final class Planner {
                 Math.min(MARGIN_RADII * bodies.radius(i), MARGIN_STOPPING * 0.5 * bodies.maxSpeed(i) * stopping);
         see(bodies, i);
         nearest.find(neighbours, bodies, i, top, most, range, horizon);
-        forecast.look(bodies, i, nearest, horizon, top, margin);
+        forecast.look(bodies, i, nearest, horizon, top, Math.max(top, wish.length()), margin);
         risk.begin(bodies, i, range, horizon, margin);
         bodies.setThreat(i, 0, Double.POSITIVE_INFINITY);
         if (!risk.isAnythingNear()) {
@@ -207,7 +209,9 @@ final class Planner {
         for (int c = 0; c < Candidates.count(); c++) {
             double along = top * Candidates.along(c);
             double across = firstSide * top * Candidates.across(c);
-            consider(along * ux - across * uy, along * uy + across * ux);
+            if (offPreferred(along - preferred, across) < ROUNDING * best * top) {
+                consider(along * ux - across * uy, along * uy + across * ux);
+            }
         }
         consider(0, 0);
     }
@@ -233,7 +237,7 @@ final class Planner {
     private double detour(double wx, double wy) {
         double faster = wx * ux + wy * uy - preferred;
         double left = wy * ux - wx * uy;
-        double cost = Math.max(FASTER * faster, -SLOWER * faster) + sideways * Math.abs(left);
+        double cost = offPreferred(faster, left);
         if (near > 0) {
             cost += IDLE * near * Math.max(0, preferred - Math.sqrt(wx * wx + wy * wy));
         }
@@ -243,6 +247,10 @@ final class Planner {
         double dx = wx - lastX;
         double dy = wy - lastY;
         return (cost + CHANGE * Math.sqrt(dx * dx + dy * dy)) / top;
+    }
+
+    private double offPreferred(double faster, double left) {
+        return Math.max(FASTER * faster, -SLOWER * faster) + sideways * Math.abs(left);
     }
 
     /** What the engine can do towards a velocity: gravity helps in its own direction and takes what it pulls aside. */

@@ -2,6 +2,7 @@ package io.github.apsis.engine.steering;
 
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.math.Aabb;
+import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -50,10 +51,9 @@ final class Risk {
     private double bottom;
     private double top;
 
-    private final double[] pathX = new double[Forecast.COUNT];
-    private final double[] pathY = new double[Forecast.COUNT];
-    private final double[] lastX = new double[Nearest.MOST];
-    private final double[] lastY = new double[Nearest.MOST];
+    private final double[] pathX = new double[Forecast.COUNT + 1]; // from where it is
+    private final double[] pathY = new double[Forecast.COUNT + 1];
+    private final int[] close = new int[Nearest.MOST];
     private final double[] cost = new double[Nearest.MOST];
     private int worst;
     private double worstCost;
@@ -111,14 +111,9 @@ final class Risk {
         worst = -1;
         worstCost = 0;
         double risk = nearWall ? ofWalls() : 0;
-        int n = forecast.count();
-        for (int m = 0; m < n; m++) {
-            lastX[m] = forecast.startX(m);
-            lastY[m] = forecast.startY(m);
-            cost[m] = 0;
-        }
+        Arrays.fill(cost, 0, forecast.count(), 0);
         for (int k = 0; k < Forecast.COUNT && risk < bound; k++) {
-            risk += until(k, n);
+            risk += until(k);
         }
         return risk;
     }
@@ -128,8 +123,8 @@ final class Risk {
         double dy = wy - vy;
         double duration = Manoeuvre.duration(Math.sqrt(dx * dx + dy * dy), a, lag);
         for (int k = 0; k < Forecast.COUNT; k++) {
-            pathX[k] = Manoeuvre.at(forecast.time(k), vx, wx, duration);
-            pathY[k] = Manoeuvre.at(forecast.time(k), vy, wy, duration);
+            pathX[k + 1] = Manoeuvre.at(forecast.time(k), vx, wx, duration);
+            pathY[k + 1] = Manoeuvre.at(forecast.time(k), vy, wy, duration);
         }
         double towards = wx * restX + wy * restY;
         if (towards > 0 && Math.abs(wx * restY - wy * restX) <= STRAIGHT * towards) {
@@ -138,7 +133,7 @@ final class Risk {
     }
 
     private void endPath(double distanceSquared) {
-        for (int k = 0; k < Forecast.COUNT; k++) {
+        for (int k = 1; k < pathX.length; k++) {
             double d2 = pathX[k] * pathX[k] + pathY[k] * pathY[k];
             if (d2 > distanceSquared) {
                 double cut = Math.sqrt(distanceSquared / d2);
@@ -151,7 +146,7 @@ final class Risk {
     private double ofWalls() {
         double most = 0;
         for (int k = 0; k < Forecast.WITHIN_HORIZON; k++) {
-            double gap = wallGap(pathX[k], pathY[k]);
+            double gap = wallGap(pathX[k + 1], pathY[k + 1]);
             if (gap < WALL * fullMargin) {
                 most = Math.max(most, severity(gap, forecast.time(k), WALL * fullMargin, wallGap, CLOSE_LATE));
             }
@@ -160,40 +155,68 @@ final class Risk {
     }
 
     /** What the stretch before the {@code k}-th time adds, all relative motion in it being straight. */
-    private double until(int k, int n) {
-        double[] x = forecast.x(k);
-        double[] y = forecast.y(k);
-        double px = pathX[k];
-        double py = pathY[k];
-        double begin = k == 0 ? 0 : forecast.time(k - 1);
-        double length = forecast.time(k) - begin;
+    private double until(int k) {
+        int n = sift(k);
         double added = 0;
-        for (int m = 0; m < n; m++) {
-            double fromX = lastX[m];
-            double fromY = lastY[m];
-            double toX = x[m] - px;
-            double toY = y[m] - py;
-            lastX[m] = toX;
-            lastY[m] = toY;
-            double dx = toX - fromX;
-            double dy = toY - fromY;
-            double within = forecast.touch(m) + forecast.margin(m);
-            double before = fromX * fromX + fromY * fromY - within * within;
-            double towards = -(fromX * dx + fromY * dy);
-            double d2 = dx * dx + dy * dy;
-            double after = before + d2 - 2 * towards;
-            // The last of these is (distance of the line)² < within², without the division; it is seldom true, so it is
-            // asked first.
-            boolean near = after < 0 || before < 0 || (before * d2 < towards * towards && towards > 0 & towards < d2);
-            if (near && (k < Forecast.WITHIN_HORIZON || !forecast.isShip(m))) {
-                double share = towards <= 0 ? 0 : towards >= d2 ? 1 : towards / d2;
-                double nearX = fromX + share * dx;
-                double nearY = fromY + share * dy;
-                double gap = Math.sqrt(nearX * nearX + nearY * nearY) - forecast.touch(m);
-                added += note(m, gap, begin + share * length);
+        for (int c = 0; c < n; c++) {
+            if (k < Forecast.WITHIN_HORIZON || !forecast.isShip(close[c])) {
+                added += pass(close[c], k);
             }
         }
         return added;
+    }
+
+    /**
+     * Collects who is closer in this stretch than it should be. There is no branch in it: one that is as good as random takes as long
+     * as two neighbours do.
+     */
+    private int sift(int k) {
+        double[] fromX = forecast.fromX(k);
+        double[] fromY = forecast.fromY(k);
+        double[] toX = forecast.toX(k);
+        double[] toY = forecast.toY(k);
+        double[] keepOut = forecast.keepOut();
+        double beginX = pathX[k];
+        double beginY = pathY[k];
+        double endX = pathX[k + 1];
+        double endY = pathY[k + 1];
+        int within = forecast.within(k);
+        int n = 0;
+        for (int m = 0; m < within; m++) {
+            double x = fromX[m] - beginX;
+            double y = fromY[m] - beginY;
+            double dx = toX[m] - endX - x;
+            double dy = toY[m] - endY - y;
+            double before = x * x + y * y - keepOut[m] * keepOut[m];
+            double towards = -(x * dx + y * dy);
+            double d2 = dx * dx + dy * dy;
+            double after = before + d2 - 2 * towards;
+            // Whether (distance of the line)² < (distance to keep)² between the ends, without the division.
+            long passes = sign(before * d2 - towards * towards) & sign(-towards) & sign(towards - d2);
+            close[n] = m;
+            n -= (int) ((sign(before) | sign(after) | passes) >> 63);
+        }
+        return n;
+    }
+
+    /** A number that is negative where the value is, and where it is −0. */
+    private static long sign(double value) {
+        return Double.doubleToRawLongBits(value);
+    }
+
+    private double pass(int m, int k) {
+        double x = forecast.fromX(k)[m] - pathX[k];
+        double y = forecast.fromY(k)[m] - pathY[k];
+        double dx = forecast.toX(k)[m] - pathX[k + 1] - x;
+        double dy = forecast.toY(k)[m] - pathY[k + 1] - y;
+        double towards = -(x * dx + y * dy);
+        double d2 = dx * dx + dy * dy;
+        double share = towards <= 0 ? 0 : towards >= d2 ? 1 : towards / d2;
+        double nearX = x + share * dx;
+        double nearY = y + share * dy;
+        double gap = Math.sqrt(nearX * nearX + nearY * nearY) - forecast.touch(m);
+        double begin = k == 0 ? 0 : forecast.time(k - 1);
+        return note(m, gap, begin + share * (forecast.time(k) - begin));
     }
 
     private double note(int m, double gap, double when) {
