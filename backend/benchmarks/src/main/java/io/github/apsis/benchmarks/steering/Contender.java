@@ -16,6 +16,7 @@ enum Contender {
             state -> new EnginePilot(state, SteeringSpec.DEFAULT.avoiding(Avoidance.SOURCE_SEEK_FIRST))),
     GDX_PRIORITY("gdx-ai-priority", state -> new GdxPilot(state, GdxPilot.Sharing.PRIORITY)),
     GDX_BLENDED("gdx-ai-blended", state -> new GdxPilot(state, GdxPilot.Sharing.BLENDED)),
+    ORCA("orca", OrcaPilot::new),
     NO_AVOIDANCE("none", state -> new EnginePilot(state, SteeringSpec.DEFAULT.avoiding(Avoidance.NONE)));
 
     private final String label;

@@ -48,10 +48,10 @@ class SteeringCommandTest {
 
         assertThat(code).as(err.toString()).isEqualTo(OK);
         List<String> lines = Files.readAllLines(folder.resolve("steering.csv"));
-        assertThat(lines).hasSize(15).first().isEqualTo(HEADER);
+        assertThat(lines).hasSize(1 + 2 * 8).first().isEqualTo(HEADER);
         assertThat(lines.get(1)).startsWith("headon,apsis,0-4,0.00000,0.000,");
         assertThat(lines.get(5)).startsWith("headon,gdx-ai-priority,0-4,");
-        assertThat(Files.readAllLines(folder.resolve("arrival.csv"))).hasSize(1 + 24 * 7);
+        assertThat(Files.readAllLines(folder.resolve("arrival.csv"))).hasSize(1 + 24 * 8);
         assertThat(folder.resolve("table.md")).content().contains("| headon | apsis | 0-4 |");
         assertThat(out.toString()).contains("apsis: no collision in 2 of 2 scenes");
     }

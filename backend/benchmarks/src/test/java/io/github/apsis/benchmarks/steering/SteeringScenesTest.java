@@ -55,4 +55,12 @@ class SteeringScenesTest {
         assertThat(tally.events).isZero();
         assertThat(tally.jerk()).isGreaterThan(20); // as measured elsewhere with the same library
     }
+
+    @Test
+    void orca_keeps_two_streams_apart_that_cross() {
+        SteeringTally tally = SteeringTally.of(SteeringScenes.of("streams", 1), Contender.ORCA);
+
+        assertThat(tally.arrived).isEqualTo(120);
+        assertThat(tally.events).isZero(); // as another implementation
+    }
 }
