@@ -14,7 +14,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 
-/** Runs scenes with all methods, and writes what came out; of the small circle a picture too. */
+/** Runs scenes with all methods, and writes what came out; pictures too: of the paths in the small circle, and of all. */
 public final class SteeringStudy {
     private static final String ARRIVAL = "arrival";
     private static final String DRAWN = "circle50";
@@ -80,13 +80,22 @@ public final class SteeringStudy {
                         out.resolve("arrival.csv"),
                         Csv.file(ArrivalRow.HEADER, arrivals.stream().map(ArrivalRow::csv)));
             }
-            draw(scenes, methods, out);
+            drawPaths(scenes, methods, out);
+            drawRatios(out);
             Files.writeString(out.resolve("table.md"), new SteeringReport(rows, arrivals).toString());
         }
         return new Outcome(table, summary());
     }
 
-    private static void draw(Map<String, List<SteeringScene>> scenes, List<Contender> methods, Path out)
+    private void drawRatios(Path out) throws IOException {
+        var plot = new RatioPlot(rows);
+        if (!plot.isEmpty()) {
+            Path folder = Files.createDirectories(out.resolve("plots"));
+            Files.writeString(folder.resolve("collisions-against-time.svg"), plot.svg());
+        }
+    }
+
+    private static void drawPaths(Map<String, List<SteeringScene>> scenes, List<Contender> methods, Path out)
             throws IOException {
         for (Contender method : List.of(Contender.APSIS, Contender.GDX_PRIORITY)) {
             if (scenes.containsKey(DRAWN) && methods.contains(method)) {
