@@ -10,15 +10,25 @@ package io.github.apsis.engine.collision;
  *
  * <p>give better impulses λ ← max(0, λ − σ (c + G u)), and so on (the method of multipliers: Hestenes 1969, J. Optim. Theory Appl. 4,
  * 303). The velocities are found by Newton's method, for which the contacts that push are to be known; in a heap at rest they are,
- * and it takes a single factor.
+ * and it takes a single factor, or one of some ticks ago.
  */
 final class AugmentedLagrangian {
 
     /** An improvement that leaves more than this of the error is the last. */
     private static final double WORTH = 0.5;
 
+    /** Of the slope at the start of a step: one that leaves less at its end is taken whole. */
+    private static final double GENTLE = 0.1;
+
     private static final int HALVINGS = 40;
 
+    /** With an old factor; more steps cost as much as a new one. */
+    private static final int MOST_STEPS = 4;
+
+    /** A step is found to this share of the allowed error. */
+    private static final double EXACTLY = 0.25;
+
+    private final PreconditionedGradients system = new PreconditionedGradients();
     private double stiffness;
     private double[] impulse = new double[0];
     private double[] lack = new double[0];
@@ -42,36 +52,64 @@ final class AugmentedLagrangian {
      */
     double improve(HeapMatrix heap, double[] lack, double stiffness, double allowed, int mostFactors, double[] found) {
         double best = error(heap, lack, found);
-        int n = heap.size();
         this.stiffness = stiffness;
         double before = best;
         boolean factored = false;
         int factors = 0;
         while (best > allowed) {
-            if (push(n) || !factored) {
+            if (push(heap.size()) || !factored) {
                 if (factors++ == mostFactors) {
                     break;
                 }
                 heap.factor(weight);
                 factored = true;
             }
+            aim(heap);
+            heap.solve(step);
             advance(heap);
-            if (pushersChanged(n)) {
+            if (pushersChanged(heap.size())) {
                 continue;
             }
-            push(n);
-            System.arraycopy(push, 0, impulse, 0, n);
-            double error = error(heap);
-            if (error < best) {
-                best = error;
-                System.arraycopy(impulse, 0, found, 0, n);
-            }
+            double error = take(heap);
+            best = keep(heap.size(), error, best, found);
             if (!(error < WORTH * before)) {
                 break;
             }
             before = error;
         }
         return best;
+    }
+
+    /** Improves impulses with the factor that the heap has, which was made for such a stiffness, as long as it is near. */
+    double follow(HeapMatrix heap, double[] lack, double stiffness, double allowed, double[] found) {
+        double best = error(heap, lack, found);
+        this.stiffness = stiffness;
+        for (int i = 0; i < MOST_STEPS && best > allowed; i++) {
+            push(heap.size());
+            aim(heap);
+            if (!system.solve(heap, weight, EXACTLY * allowed, step)) {
+                break;
+            }
+            advance(heap);
+            if (!pushersChanged(heap.size())) {
+                best = keep(heap.size(), take(heap), best, found);
+            }
+        }
+        return best;
+    }
+
+    /** Takes the pushes for the impulses; what they miss is returned. */
+    private double take(HeapMatrix heap) {
+        push(heap.size());
+        System.arraycopy(push, 0, impulse, 0, heap.size());
+        return error(heap);
+    }
+
+    private double keep(int n, double error, double best, double[] found) {
+        if (error < best) {
+            System.arraycopy(impulse, 0, found, 0, n);
+        }
+        return Math.min(error, best);
     }
 
     /** The largest speed by which a contact misses what it should have. */
@@ -131,13 +169,16 @@ final class AugmentedLagrangian {
         return false;
     }
 
-    /** A step of Newton's, as long as it leads down: ½ |u|² + ½ |push|² / σ is least where the velocities are right. */
-    private void advance(HeapMatrix heap) {
+    /** The right side of a step of Newton's. */
+    private void aim(HeapMatrix heap) {
         heap.spread(push, step);
         for (int i = 0; i < heap.unknowns(); i++) {
             step[i] -= u[i];
         }
-        heap.solve(step);
+    }
+
+    /** Takes the step, as long as it leads down: ½ |u|² + ½ |push|² / σ is least where the velocities are right. */
+    private void advance(HeapMatrix heap) {
         heap.separate(step, speedStep);
         double along = 0;
         double square = 0;
@@ -155,7 +196,8 @@ final class AugmentedLagrangian {
     }
 
     private double part(int n, double along, double square) {
-        if (slope(n, 1, along, square) <= 0) {
+        double end = slope(n, 1, along, square);
+        if (end <= 0 || end <= -GENTLE * slope(n, 0, along, square)) {
             return 1;
         }
         double down = 0;

@@ -6,11 +6,16 @@ import java.util.Arrays;
 /**
  * The {@link ContactMatrix} of a heap from the side of its bodies: A = G Gᵀ, a row g_k of G for every contact with entries for its
  * two bodies, which are velocities times √mass. Systems with 1 + Gᵀ W G, W any weights of contacts, are solved directly.
+ *
+ * <p>The factor stays when contacts change: of other weights and normals it is no more than near.
  */
 final class HeapMatrix {
     private final HeapFactor factor = new HeapFactor();
+    private boolean isAnalysed; // the factor knows where these contacts are
+    private int factored; // nodes
+    private int bodies;
     private int size;
-    private int nodes; // bodies that contacts move
+    private int nodes; // bodies that contacts move, now or when the factor was made
     private int[] node = new int[0]; // of bodies
     private double[] x = new double[0];
     private double[] y = new double[0];
@@ -21,12 +26,17 @@ final class HeapMatrix {
     private double[] bx = new double[0];
     private double[] by = new double[0];
 
-    /** Takes the contacts of a matrix over. */
+    /** Takes the contacts of a matrix over; a factor that was made stays. */
     void set(ContactMatrix matrix, Bodies bodies) {
         size = matrix.size();
-        nodes = 0;
         reserve(bodies.count());
-        Arrays.fill(node, 0, bodies.count(), -1);
+        if (factored == 0 || bodies.count() != this.bodies) {
+            factored = 0;
+            nodes = 0;
+            this.bodies = bodies.count();
+            Arrays.fill(node, 0, bodies.count(), -1);
+        }
+        isAnalysed = false;
         for (int k = 0; k < size; k++) {
             int a = matrix.first(k);
             int b = matrix.second(k);
@@ -39,7 +49,17 @@ final class HeapMatrix {
             bx[k] = massB * matrix.normalX(k);
             by[k] = massB * matrix.normalY(k);
         }
-        factor.analyse(nodes, x, y, size, first, second);
+    }
+
+    /** Takes the contacts of a matrix over, and forgets the factor. */
+    void renew(ContactMatrix matrix, Bodies bodies) {
+        factored = 0;
+        set(matrix, bodies);
+    }
+
+    /** Whether there is a factor. */
+    boolean isFactored() {
+        return factored > 0;
     }
 
     private void reserve(int bodies) {
@@ -109,10 +129,15 @@ final class HeapMatrix {
 
     /** Prepares {@link #solve} for weights of the contacts. */
     void factor(double[] weight) {
+        if (!isAnalysed) {
+            factor.analyse(nodes, x, y, size, first, second);
+            isAnalysed = true;
+        }
+        factored = nodes;
         factor.factor(ax, ay, bx, by, weight);
     }
 
-    /** Solves (1 + Gᵀ W G) z = v in place. */
+    /** Solves (1 + Gᵀ W G) z = v in place, as it was when the factor was made; bodies that are new since stay as they are. */
     void solve(double[] v) {
         factor.solve(v);
     }

@@ -6,8 +6,8 @@ import io.github.apsis.engine.body.Bodies;
  * The impulses in a heap of hundreds of bodies, directly: a heap without friction is all but floppy, and what conjugate gradients
  * leave of it after as many rounds as a tick affords would keep it from ever coming to rest.
  *
- * <p>Where the impulses of the last tick are nearly right, {@link AugmentedLagrangian} has them right with one factor or a few; if
- * they are not, {@link InteriorPoint} finds them from nothing.
+ * <p>Where the impulses of the last tick are nearly right, {@link AugmentedLagrangian} has them right with the factor of a tick before,
+ * a new one or a few; if they are not, {@link InteriorPoint} finds them from nothing.
  */
 final class HeapSolver {
     /** Newton's method comes from farther with the first of them, and impulses are right to the last digits with the last. */
@@ -16,6 +16,9 @@ final class HeapSolver {
     private static final double STIFFEST = 1e7;
 
     private static final double STIFFER = 10;
+
+    /** If a new factor does not do with so many, other contacts push than did. */
+    private static final int FEW_FACTORS = 3;
 
     /** After so many factors without success another stiffness may have it. */
     private static final int MOST_FACTORS = 8;
@@ -26,9 +29,20 @@ final class HeapSolver {
     private final HeapMatrix heap = new HeapMatrix();
     private final AugmentedLagrangian lagrangian = new AugmentedLagrangian();
     private final InteriorPoint interiorPoint = new InteriorPoint();
+    private final double stiffness;
 
     /**
-     * Improves impulses as far as it can.
+     * Creates a solver that has no factor yet.
+     *
+     * @param stiffness of the factor that is kept from tick to tick: a contact that misses its speed changes its impulse by as much
+     *     times that, so it should be about the ratio of impulses to what they usually miss
+     */
+    HeapSolver(double stiffness) {
+        this.stiffness = stiffness;
+    }
+
+    /**
+     * Improves impulses as far as it can. It goes fast when it has solved the same heap, a little while ago, before.
      *
      * @param lack c, scaled as the matrix
      * @param most −c of the contact that lacks most, over 0
@@ -36,22 +50,43 @@ final class HeapSolver {
      * @param impulse scaled as the matrix
      */
     void improve(ContactMatrix matrix, Bodies bodies, double[] lack, double most, double allowed, double[] impulse) {
+        double enough = ImpulseSolver.GOOD_ENOUGH * allowed;
         heap.set(matrix, bodies);
         double error = lagrangian.error(heap, lack, impulse);
-        if (error <= NEAR * most) {
-            error = refine(lack, error, allowed, impulse);
+        boolean isNear = error <= NEAR * most;
+        if (isNear) {
+            error = follow(matrix, bodies, lack, error, allowed, impulse);
         }
-        if (error > ImpulseSolver.GOOD_ENOUGH * allowed && interiorPoint.solve(heap, lack, most, impulse)) {
-            refine(lack, lagrangian.error(heap, lack, impulse), allowed, impulse);
+        if (error > enough) {
+            heap.renew(matrix, bodies);
+            if (isNear) {
+                error = refine(lack, error, allowed, impulse);
+            }
+            if (error > enough && interiorPoint.solve(heap, lack, most, impulse)) {
+                refine(lack, lagrangian.error(heap, lack, impulse), allowed, impulse);
+            }
+            heap.renew(matrix, bodies);
         }
+    }
+
+    /** With the factor of a tick before, or else with one that the next ticks may use. */
+    private double follow(
+            ContactMatrix matrix, Bodies bodies, double[] lack, double before, double allowed, double[] impulse) {
+        double error = before;
+        if (heap.isFactored()) {
+            error = lagrangian.follow(heap, lack, stiffness, allowed, impulse);
+        }
+        if (error > ImpulseSolver.GOOD_ENOUGH * allowed) {
+            heap.renew(matrix, bodies);
+            error = lagrangian.improve(heap, lack, stiffness, allowed, FEW_FACTORS, impulse);
+        }
+        return error;
     }
 
     private double refine(double[] lack, double before, double allowed, double[] impulse) {
         double error = before;
-        for (double stiffness = SOFTEST;
-                stiffness <= STIFFEST && error > ImpulseSolver.GOOD_ENOUGH * allowed;
-                stiffness *= STIFFER) {
-            error = lagrangian.improve(heap, lack, stiffness, allowed, MOST_FACTORS, impulse);
+        for (double next = SOFTEST; next <= STIFFEST && error > ImpulseSolver.GOOD_ENOUGH * allowed; next *= STIFFER) {
+            error = lagrangian.improve(heap, lack, next, allowed, MOST_FACTORS, impulse);
         }
         return error;
     }

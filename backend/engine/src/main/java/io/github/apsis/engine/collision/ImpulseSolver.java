@@ -33,9 +33,11 @@ final class ImpulseSolver {
 
     private static final int FEW_ROUNDS = 20;
 
+    /** Of the most that a contact lacks: what misses less is better found without them. */
+    private static final double NEAR = 1e-2;
+
     // All scaled as the matrix is.
     private final ContactMatrix matrix = new ContactMatrix();
-    private final HeapSolver heap = new HeapSolver();
     private double[] lack = new double[16]; // c
     private double[] applied = new double[16]; // the impulses that the bodies already have
     private double[] impulse = new double[16]; // λ
@@ -45,6 +47,7 @@ final class ImpulseSolver {
 
     // Of the present impulses.
     private double longest; // step of steepest descent
+    private double most; // speed that a contact misses without impulses
     private double allowed; // error
     private double error; // the largest speed by which a contact misses what it should have
     private double pushing; // how wrong contacts are that push, and
@@ -109,15 +112,21 @@ final class ImpulseSolver {
         return rounds;
     }
 
-    /** The same for a heap that is to come to rest: what rounds do not find is found directly. */
-    int solveDirectly(Bodies bodies, double tolerance, double rounding, int mostRounds) {
+    /** The same for a heap that is to come to rest: what rounds do not find is found directly, which counts as one. */
+    int solveDirectly(HeapSolver heap, Bodies bodies, double tolerance, double rounding, int mostRounds) {
         boolean many = size() >= MANY;
         if (areRight(many ? Math.max(tolerance, DIRECT_TOLERANCE) : tolerance, rounding)) {
             return 0;
         }
-        int rounds = descend(many ? FEW_ROUNDS : mostRounds);
-        if (error > allowed && !improve(bodies)) {
-            rounds += descend(mostRounds - rounds);
+        int rounds = 0;
+        if (!many || error > NEAR * most) {
+            rounds = descend(many ? FEW_ROUNDS : mostRounds);
+        }
+        if (error > allowed) {
+            rounds++;
+            if (!improve(heap, bodies)) {
+                rounds += descend(mostRounds - rounds);
+            }
         }
         limitEnergy();
         return rounds;
@@ -125,7 +134,7 @@ final class ImpulseSolver {
 
     /** Measures the present impulses; returns whether they may stay. */
     private boolean areRight(double tolerance, double rounding) {
-        double most = separate();
+        most = separate();
         allowed = Math.max(rounding, tolerance * most);
         longest = 1.8 / matrix.norm();
         assess();
@@ -146,19 +155,20 @@ final class ImpulseSolver {
     }
 
     /** Returns whether it has found better impulses. */
-    private boolean improve(Bodies bodies) {
-        double most = 0;
+    private boolean improve(HeapSolver heap, Bodies bodies) {
+        double mostScaled = 0;
         double leastScale = Double.POSITIVE_INFINITY;
         for (int k = 0; k < size(); k++) {
-            most = Math.max(most, -lack[k]);
+            mostScaled = Math.max(mostScaled, -lack[k]);
             leastScale = Math.min(leastScale, matrix.scale(k));
         }
-        if (most == 0) {
+        if (mostScaled == 0) {
             return false;
         }
+        double enough = Math.max(leastScale * allowed, DIRECT_TOLERANCE * mostScaled);
         double before = error;
         System.arraycopy(impulse, 0, along, 0, size());
-        heap.improve(matrix, bodies, lack, most, Math.max(leastScale * allowed, DIRECT_TOLERANCE * most), impulse);
+        heap.improve(matrix, bodies, lack, mostScaled, enough, impulse);
         measureAgain();
         boolean better = error < before;
         if (!better) {
@@ -186,12 +196,12 @@ final class ImpulseSolver {
     }
 
     /** The same for a heap that is to come to rest. */
-    int solveFromDirectly(Bodies bodies, double tolerance, int mostRounds) {
+    int solveFromDirectly(HeapSolver heap, Bodies bodies, double tolerance, int mostRounds) {
         matrix.multiply(impulse, change);
         for (int k = 0; k < size(); k++) {
             gradient[k] += change[k];
         }
-        return solveDirectly(bodies, tolerance, 0, mostRounds);
+        return solveDirectly(heap, bodies, tolerance, 0, mostRounds);
     }
 
     /** c = w − A λ, and the most that a contact misses without impulses. */

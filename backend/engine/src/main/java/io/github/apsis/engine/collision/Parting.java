@@ -27,6 +27,9 @@ final class Parting {
     /** Less than this share of the radii is not worth a factor. */
     private static final double WORTH = 1e-6;
 
+    /** Displacements of a tick are of the size of what contacts miss. */
+    private static final double STIFFNESS = 1e3;
+
     /** Of an overlap in one tick. */
     private static final double SHARE = 0.2;
 
@@ -38,6 +41,7 @@ final class Parting {
     private final Touching touching;
     private final ContactGeometry contact;
     private final ImpulseSolver solver = new ImpulseSolver();
+    private final HeapSolver heap = new HeapSolver(STIFFNESS);
     private double allowed; // in this tick, as a share of the radii
 
     Parting(Touching touching, ContactGeometry contact) {
@@ -63,7 +67,7 @@ final class Parting {
             solver.measured(k, beyond < 0 ? SHARE * beyond : Math.max(0, contact.gap));
         }
         if (isQuiet && worst > WORTH) {
-            solver.solveFromDirectly(bodies, TOLERANCE, mostRounds);
+            solver.solveFromDirectly(heap, bodies, TOLERANCE, mostRounds);
         } else {
             solver.solveFrom(TOLERANCE, mostRounds);
         }

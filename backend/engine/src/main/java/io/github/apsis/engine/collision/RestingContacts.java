@@ -41,6 +41,11 @@ final class RestingContacts {
     /** A heap is quiet when its bodies move past each other no faster than this share of what forces give them in a tick. */
     private static final double QUIET = 0.3;
 
+    /** What holds a heap is much larger than what its contacts miss in a tick; what settles it is not. */
+    private static final double STIFFNESS_OF_HOLDING = 1e5;
+
+    private static final double STIFFNESS_OF_SETTLING = 1e3;
+
     /** Eight units in the last place of a number. */
     private static final double ROUNDING = 0x1p-49;
 
@@ -50,6 +55,8 @@ final class RestingContacts {
     private final Parting parting;
     private final FirstGuess guess;
     private final ImpulseSolver solver = new ImpulseSolver();
+    private final HeapSolver holding = new HeapSolver(STIFFNESS_OF_HOLDING);
+    private final HeapSolver settling = new HeapSolver(STIFFNESS_OF_SETTLING);
     private final ContactPushes pushes = new ContactPushes(solver);
     private boolean isQuiet; // in this tick
     private int[] settled = new int[16]; // the contacts that are closed at the end of the tick
@@ -114,7 +121,7 @@ final class RestingContacts {
         boolean changed = true;
         for (int look = 0; look < LOOKS && changed; look++) {
             double rounding = measureGaps(bodies, dt);
-            int rounds = solve(bodies, rounding);
+            int rounds = solve(holding, bodies, rounding);
             changed = rounds > 0;
             if (changed) {
                 pushes.pushHolding(bodies, dt);
@@ -157,7 +164,7 @@ final class RestingContacts {
             solver.measured(k, separating + Math.max(0, touching.firstGap(k)) / dt);
             fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
         }
-        if (solve(bodies, ROUNDING * fastest) > 0) {
+        if (solve(holding, bodies, ROUNDING * fastest) > 0) {
             pushes.pushHolding(bodies, dt);
         }
     }
@@ -170,7 +177,7 @@ final class RestingContacts {
         gather(bodies);
         pushes.pushSettling(bodies);
         double rounding = measureSpeeds(bodies);
-        if (solve(bodies, rounding) > 0) {
+        if (solve(settling, bodies, rounding) > 0) {
             pushes.pushSettling(bodies);
         }
         for (int k = 0; k < touching.size(); k++) {
@@ -181,11 +188,11 @@ final class RestingContacts {
         }
     }
 
-    private int solve(Bodies bodies, double rounding) {
+    private int solve(HeapSolver heap, Bodies bodies, double rounding) {
         double tolerance = TOLERANCE * solver.size();
         int most = mostRounds(solver.size());
         return isQuiet
-                ? solver.solveDirectly(bodies, tolerance, rounding, most)
+                ? solver.solveDirectly(heap, bodies, tolerance, rounding, most)
                 : solver.solve(tolerance, rounding, most);
     }
 
