@@ -24,6 +24,8 @@ final class MassTree implements Work {
 
     private static final double SMALLEST = 1e-40;
 
+    private static final double ROUNDING = 1 + 1e-9;
+
     private final CellKernels[] kernels; // by member of the team
     private final Giants giants;
     private final Quadtree tree = Quadtree.ofPoints(LEAF_SIZE);
@@ -152,8 +154,7 @@ final class MassTree implements Work {
     }
 
     private void findReach(int cell) {
-        double radius =
-                Math.sqrt(farthest(masses.x, masses.y, tree.first(cell), tree.end(cell), centreX[cell], centreY[cell]));
+        double radius = Math.sqrt(farthest(cell));
         double extent = Math.abs(centreX[cell]) + Math.abs(centreY[cell]) + radius;
         reach[cell] = extent < LARGEST ? Math.max(radius / theta, SMALLEST) : Double.POSITIVE_INFINITY;
         for (int child = cell + 1; child < tree.past(cell); child = tree.past(child)) {
@@ -162,14 +163,54 @@ final class MassTree implements Work {
         }
     }
 
-    private static double farthest(double[] x, double[] y, int start, int stop, double centreX, double centreY) {
+    /** The largest square of a distance from the centre. Most that is below the cell is nearer than something seen before, as a whole. */
+    private double farthest(int cell) {
         double farthest = 0;
-        for (int k = start; k < stop; k++) {
-            double dx = x[k] - centreX;
-            double dy = y[k] - centreY;
-            farthest = Math.max(farthest, dx * dx + dy * dy); // NaN stays
+        int below = cell;
+        while (below < tree.past(cell)) {
+            if (below != cell && isNearer(below, cell, farthest)) {
+                below = tree.past(below);
+                continue;
+            }
+            if (tree.isLeaf(below)) {
+                farthest =
+                        Math.max(farthest, farthest(tree.first(below), tree.end(below), centreX[cell], centreY[cell]));
+            }
+            below++;
         }
         return farthest;
+    }
+
+    private boolean isNearer(int below, int cell, double farthest) {
+        double dx = centreX[below] - centreX[cell];
+        double dy = centreY[below] - centreY[cell];
+        double most = Math.sqrt(dx * dx + dy * dy) + theta * reach[below];
+        return most * most * ROUNDING < farthest;
+    }
+
+    /** The same of some bodies; four at a time, since each maximum waits for the one before. */
+    private double farthest(int start, int stop, double cx, double cy) {
+        double[] x = masses.x;
+        double[] y = masses.y;
+        double first = 0;
+        double second = 0;
+        double third = 0;
+        double fourth = 0;
+        int k = start;
+        for (; k + 3 < stop; k += 4) {
+            first = Math.max(first, distance2(x[k] - cx, y[k] - cy)); // NaN stays
+            second = Math.max(second, distance2(x[k + 1] - cx, y[k + 1] - cy));
+            third = Math.max(third, distance2(x[k + 2] - cx, y[k + 2] - cy));
+            fourth = Math.max(fourth, distance2(x[k + 3] - cx, y[k + 3] - cy));
+        }
+        for (; k < stop; k++) {
+            first = Math.max(first, distance2(x[k] - cx, y[k] - cy));
+        }
+        return Math.max(Math.max(first, second), Math.max(third, fourth));
+    }
+
+    private static double distance2(double dx, double dy) {
+        return dx * dx + dy * dy;
     }
 
     private void gather(int cell, CellKernels kernel) {

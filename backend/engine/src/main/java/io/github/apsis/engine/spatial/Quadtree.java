@@ -27,6 +27,7 @@ public final class Quadtree {
     private static final int MOST_DIGITS = 4;
 
     private final int leafSize;
+    private final boolean hasBoxes; // of its nodes
     private int count;
     private double[] minX = new double[16];
     private double[] minY = new double[16];
@@ -55,12 +56,20 @@ public final class Quadtree {
 
     /** A tree whose nodes are divided as long as they hold more items than this. */
     public Quadtree(int leafSize) {
-        this.leafSize = leafSize;
+        this(leafSize, true);
     }
 
-    /** A tree of points, set by {@link #setPoint} alone; takes half the memory for items. */
+    private Quadtree(int leafSize, boolean hasBoxes) {
+        this.leafSize = leafSize;
+        this.hasBoxes = hasBoxes;
+    }
+
+    /**
+     * A tree of points, set by {@link #setPoint} alone, for sums over its nodes: these have no boxes, which take half as long as all the
+     * rest, and cannot be queried. Takes half the memory for items.
+     */
     public static Quadtree ofPoints(int leafSize) {
-        var tree = new Quadtree(leafSize);
+        var tree = new Quadtree(leafSize, false);
         tree.maxX = tree.minX;
         tree.maxY = tree.minY;
         return tree;
@@ -118,23 +127,37 @@ public final class Quadtree {
             int i = item(p);
             double x = 0.5 * minX[i] + 0.5 * maxX[i];
             double y = 0.5 * minY[i] + 0.5 * maxY[i];
-            lowX = Math.min(lowX, x);
-            lowY = Math.min(lowY, y);
-            highX = Math.max(highX, x);
-            highY = Math.max(highY, y);
+            lowX = x < lowX ? x : lowX; // seldom; Math.min would wait for the one before
+            lowY = y < lowY ? y : lowY;
+            highX = x > highX ? x : highX;
+            highY = y > highY ? y : highY;
         }
         double side = Math.max(highX - lowX, highY - lowY);
         double scale = KEY_SCALE / side;
         if (!(scale > 0) || Double.isInfinite(scale)) {
             return false; // side is 0, denormal, or beyond the numbers
         }
+        // An odd number of passes ends in the other array, which has all items only if all are sorted.
+        int bits = stop - start < count || count < MANY ? NARROW : WIDE;
+        int digits = (2 * LEVELS + bits - 1) / bits;
+        Arrays.fill(histogram, 0, digits << bits, 0);
+        long mask = (1L << bits) - 1;
         for (int p = start; p < stop; p++) {
             int i = item(p);
             int column = (int) ((0.5 * minX[i] + 0.5 * maxX[i] - lowX) * scale);
             int row = (int) ((0.5 * minY[i] + 0.5 * maxY[i] - lowY) * scale);
-            order[p] = (spread(column) | spread(row) << 1) << 32 | i;
+            long key = spread(column) | spread(row) << 1;
+            order[p] = key << 32 | i;
+            histogram[(int) (key & mask)]++;
+            histogram[(1 << bits) + (int) (key >>> bits & mask)]++;
+            histogram[(2 << bits) + (int) (key >>> 2 * bits & mask)]++;
+            if (digits > 3) {
+                histogram[(3 << bits) + (int) (key >>> 3 * bits & mask)]++;
+            }
         }
-        sortByKey(start, stop);
+        for (int digit = 0; digit < digits; digit++) {
+            sortByDigit(start, stop, bits, digit);
+        }
         return true;
     }
 
@@ -147,28 +170,7 @@ public final class Quadtree {
         return (b | b << 1) & 0x55555555L;
     }
 
-    /** Radix sort of a run; stable, so equal keys stay in the order they had. */
-    private void sortByKey(int start, int stop) {
-        // An odd number of passes ends in the other array, which has all items only if all are sorted.
-        int bits = stop - start < count || count < MANY ? NARROW : WIDE;
-        int digits = (2 * LEVELS + bits - 1) / bits;
-        countDigits(start, stop, bits, digits);
-        for (int digit = 0; digit < digits; digit++) {
-            sortByDigit(start, stop, bits, digit);
-        }
-    }
-
-    private void countDigits(int start, int stop, int bits, int digits) {
-        Arrays.fill(histogram, 0, digits << bits, 0);
-        long mask = (1L << bits) - 1;
-        for (int p = start; p < stop; p++) {
-            long key = order[p] >>> 32;
-            for (int digit = 0; digit < digits; digit++) {
-                histogram[(digit << bits) + (int) (key >>> digit * bits & mask)]++;
-            }
-        }
-    }
-
+    /** One pass of a radix sort; stable, so equal keys stay in the order they had. */
     private void sortByDigit(int start, int stop, int bits, int digit) {
         int from = digit << bits;
         int place = start;
@@ -207,23 +209,16 @@ public final class Quadtree {
     private void addChildren(int start, int stop, int depth) {
         int node = openNode(start, stop);
         leafFirst[node] = -1;
-        double lowX = Double.POSITIVE_INFINITY;
-        double lowY = Double.POSITIVE_INFINITY;
-        double highX = Double.NEGATIVE_INFINITY;
-        double highY = Double.NEGATIVE_INFINITY;
         int begin = start;
         while (begin < stop) {
             int next = endOfQuarter(begin, stop, depth);
-            int child = nodes;
             addNode(begin, next, depth + 1);
-            lowX = Math.min(lowX, nodeMinX[child]);
-            lowY = Math.min(lowY, nodeMinY[child]);
-            highX = Math.max(highX, nodeMaxX[child]);
-            highY = Math.max(highY, nodeMaxY[child]);
             begin = next;
         }
-        setBox(node, lowX, lowY, highX, highY);
         past[node] = nodes;
+        if (hasBoxes) {
+            boxOfChildren(node);
+        }
     }
 
     /** Where the run of items in the quarter of the first one ends: found by halving, keys being sorted. */
@@ -245,8 +240,10 @@ public final class Quadtree {
     private void addLeaf(int start, int stop) {
         int node = openNode(start, stop);
         leafFirst[node] = start;
-        boxOfItems(node, start, stop);
         past[node] = nodes;
+        if (hasBoxes) {
+            boxOfItems(node, start, stop);
+        }
     }
 
     private int openNode(int start, int stop) {
@@ -278,6 +275,20 @@ public final class Quadtree {
         setBox(node, lowX, lowY, highX, highY);
     }
 
+    private void boxOfChildren(int node) {
+        double lowX = Double.POSITIVE_INFINITY;
+        double lowY = Double.POSITIVE_INFINITY;
+        double highX = Double.NEGATIVE_INFINITY;
+        double highY = Double.NEGATIVE_INFINITY;
+        for (int child = node + 1; child < past[node]; child = past[child]) {
+            lowX = Math.min(lowX, nodeMinX[child]);
+            lowY = Math.min(lowY, nodeMinY[child]);
+            highX = Math.max(highX, nodeMaxX[child]);
+            highY = Math.max(highY, nodeMaxY[child]);
+        }
+        setBox(node, lowX, lowY, highX, highY);
+    }
+
     private void setBox(int node, double lowX, double lowY, double highX, double highY) {
         nodeMinX[node] = lowX;
         nodeMinY[node] = lowY;
@@ -286,10 +297,12 @@ public final class Quadtree {
     }
 
     private void growNodes(int capacity) {
-        nodeMinX = Arrays.copyOf(nodeMinX, capacity);
-        nodeMinY = Arrays.copyOf(nodeMinY, capacity);
-        nodeMaxX = Arrays.copyOf(nodeMaxX, capacity);
-        nodeMaxY = Arrays.copyOf(nodeMaxY, capacity);
+        if (hasBoxes) {
+            nodeMinX = Arrays.copyOf(nodeMinX, capacity);
+            nodeMinY = Arrays.copyOf(nodeMinY, capacity);
+            nodeMaxX = Arrays.copyOf(nodeMaxX, capacity);
+            nodeMaxY = Arrays.copyOf(nodeMaxY, capacity);
+        }
         past = Arrays.copyOf(past, capacity);
         first = Arrays.copyOf(first, capacity);
         end = Arrays.copyOf(end, capacity);
@@ -333,23 +346,6 @@ public final class Quadtree {
     }
 
     // --- the tree itself, for sums over its nodes; node 0 is the root, parents stand before their children ---
-
-    /** The box around all items, of which there is one at least. */
-    public double minX() {
-        return nodeMinX[0];
-    }
-
-    public double minY() {
-        return nodeMinY[0];
-    }
-
-    public double maxX() {
-        return nodeMaxX[0];
-    }
-
-    public double maxY() {
-        return nodeMaxY[0];
-    }
 
     /** How many nodes there are; 0 when there are no items. */
     public int nodes() {
