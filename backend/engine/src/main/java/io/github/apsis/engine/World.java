@@ -69,7 +69,7 @@ public final class World implements AutoCloseable {
         gravity = gravityOf(spec, team);
         forces = new Forces(lawsOf(gravity, spec));
         steering = steeringOf(spec, team);
-        stepper = stepperOf(spec, forces);
+        stepper = stepperOf(spec, forces, team);
         wrecks = spec.shipsAreMortal() ? new Wrecks(bodies) : null;
         if (wrecks != null) {
             stepper.onBounce(wrecks);
@@ -365,13 +365,13 @@ public final class World implements AutoCloseable {
     }
 
     /** Exact contacts of the adaptive method are found on its series, all others on the parabola of a tick. */
-    private static Stepper stepperOf(WorldSpec spec, Forces forces) {
+    private static Stepper stepperOf(WorldSpec spec, Forces forces, Team team) {
         if (spec.contactMode() == ContactMode.EXACT && spec.integration() == Integration.ADAPTIVE) {
             double restitution = spec.restitution().orElseThrow();
             return new EventStepper(seriesOf(spec), restitution, spec.boundary(), spec.dt());
         }
         return new TickStepper(
-                integratorOf(spec), forces, spec.restitution(), spec.contactMode(), spec.boundary(), spec.dt());
+                integratorOf(spec), forces, spec.restitution(), spec.contactMode(), spec.boundary(), spec.dt(), team);
     }
 
     private static Integrator integratorOf(WorldSpec spec) {

@@ -27,12 +27,12 @@ class ArchitectureTest {
         "math, ''",
         "parallel, ''",
         "body, 'math'",
-        "spatial, 'body math'",
+        "spatial, 'body math parallel'",
         "force, 'body spatial math parallel'",
         "steering, 'body spatial math parallel'",
         "integration, 'force body math'",
-        "collision, 'body spatial math'",
-        "stepping, 'integration collision force body spatial math'",
+        "collision, 'body spatial math parallel'",
+        "stepping, 'integration collision force body spatial math parallel'",
         "diagnostics, 'force body spatial math'"
     })
     void a_package_imports_only_what_stands_below_it(String name, String allowed) {

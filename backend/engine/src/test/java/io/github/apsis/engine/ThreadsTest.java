@@ -22,6 +22,23 @@ class ThreadsTest {
         assertSameHistory(threads, 2500, spec -> spec.forceError(1e-3));
     }
 
+    /** So many that their pairs are shared as well; in a tree, since the direct sum of so many takes its time. */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 8})
+    void a_crowd_that_collides_has_the_same_history_by_any_number_of_threads(int threads) {
+        WorldSpec.Builder colliding = spec().tree(0.9).contacts(0.9);
+        try (World alone = heap(colliding.build(), 4500);
+                World together = heap(colliding.threads(threads).build(), 4500)) {
+            long[] bounces = new long[1];
+            together.onBounce((time, first, second, closingSpeed, impulse) -> bounces[0]++);
+            run(alone, 40);
+            run(together, 40);
+
+            assertThat(bounces[0]).isGreaterThan(1000);
+            assertThat(together.stateHash()).isEqualTo(alone.stateHash());
+        }
+    }
+
     private static void assertSameHistory(int threads, int count, UnaryOperator<WorldSpec.Builder> gravity) {
         try (World alone = crowd(gravity.apply(spec()).build(), count);
                 World together = crowd(gravity.apply(spec()).threads(threads).build(), count)) {
@@ -66,6 +83,20 @@ class ThreadsTest {
 
     private static WorldSpec.Builder spec() {
         return WorldSpec.builder().gravity(1).softening(0.01).seed(3);
+    }
+
+    /** Discs of many sizes, as close as they come without touching on a square lattice, each on its own way. */
+    private static World heap(WorldSpec spec, int count) {
+        var rng = new Rng(4);
+        World world = new World(spec);
+        int columns = (int) Math.sqrt(count);
+        while (world.count() < count) {
+            double x = world.count() % columns;
+            double y = world.count() / columns;
+            double radius = 0.5 * StrictMath.pow(10, rng.between(-1.5, 0)) * 0.999;
+            world.add(BodyDef.planet(x, y, radius * radius, radius).moving(rng.between(-5, 5), rng.between(-5, 5)));
+        }
+        return world;
     }
 
     /** A round cloud of total mass 1 and radius 1; every 50th body is a ship. */

@@ -2,6 +2,7 @@ package io.github.apsis.engine.collision;
 
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.math.Period;
+import io.github.apsis.engine.parallel.Team;
 import io.github.apsis.engine.spatial.CircleGrid;
 import org.jspecify.annotations.Nullable;
 
@@ -17,8 +18,8 @@ final class BroadPhase {
 
     private double mostAcceleration;
 
-    BroadPhase(@Nullable Period period) {
-        grid = new CircleGrid(period);
+    BroadPhase(@Nullable Period period, Team team) {
+        grid = new CircleGrid(period, team);
     }
 
     /** Sorts the paths of all bodies. */

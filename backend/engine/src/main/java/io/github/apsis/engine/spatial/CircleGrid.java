@@ -1,6 +1,8 @@
 package io.github.apsis.engine.spatial;
 
 import io.github.apsis.engine.math.Period;
+import io.github.apsis.engine.parallel.Team;
+import io.github.apsis.engine.parallel.Work;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
@@ -26,13 +28,13 @@ public final class CircleGrid {
     private static final double ROOM = 1.22;
 
     /** Of a cell: what the numbers of rows and columns lose to rounding is less, see {@link #ROUNDING}. */
-    private static final double MARGIN = 0x1p-10;
+    static final double MARGIN = 0x1p-10;
 
     /** Of the coordinates, added to each circle: so a row or a column never has a number beyond 2³⁹. */
     private static final double ROUNDING = 0x1p-40;
 
     /** So far circles reach beyond their cells, in cells. */
-    private static final double OVERHANG = 0.5;
+    static final double OVERHANG = 0.5;
 
     private static final double SMALLEST = 0x1p-800;
     private static final double LARGEST = 0x1p900;
@@ -40,7 +42,9 @@ public final class CircleGrid {
     private static final int SAMPLE = 64; // circles that tell the size of most
     private static final int CELLS = 3; // for each circle, or up to twice as many
     private static final int FEWEST_COLUMNS = 4; // on a torus of two, a cell is its own neighbour's neighbour
-    private static final int AT_ONCE = 4096; // neighbours are compared before there are more
+    private static final int SHARES = 8; // of the circles, for a team
+    private static final int MANY =
+            4000; // circles, whose pairs take 50 µs: with fewer a team saves hardly more than it costs
     private static final int FEW_STRAYS = 32;
     private static final double MOST_STRAYS =
             4; // times the root of all: then sorting anew is cheaper than looking at each
@@ -55,23 +59,23 @@ public final class CircleGrid {
 
     private final int[] sampled = new int[2048]; // by exponent
     private final double[] sampledReach = new double[2048];
-    private final int[] size = new int[LEVELS]; // circles of each level
-    private final int[] used = new int[LEVELS]; // the levels that have any, fine ones first
-    private int levels;
+    final int[] size = new int[LEVELS]; // circles of each level
+    final int[] used = new int[LEVELS]; // the levels that have any, fine ones first
+    int levels;
     private int cells;
     private double unit; // the side of cells in the middle level, length
-    private final double[] side = new double[LEVELS];
-    private final double[] columnsPerLength = new double[LEVELS];
-    private final double[] rowsPerLength = new double[LEVELS];
-    private final int[] columns = new int[LEVELS];
-    private final int[] rows = new int[LEVELS];
-    private final int[] firstCell = new int[LEVELS];
-    private int[] start = new int[64]; // by cell: the place of its first circle
+    final double[] side = new double[LEVELS];
+    final double[] columnsPerLength = new double[LEVELS];
+    final double[] rowsPerLength = new double[LEVELS];
+    final int[] columns = new int[LEVELS];
+    final int[] rows = new int[LEVELS];
+    final int[] firstCell = new int[LEVELS];
+    int[] start = new int[64]; // by cell: the place of its first circle
 
     // By place.
-    private int[] circle = new int[16];
-    private int[] home = new int[16]; // its cell
-    private double[] at = new double[57]; // x, y, radius (NaN of a stray)
+    int[] circle = new int[16];
+    int[] home = new int[16]; // its cell
+    double[] at = new double[57]; // x, y, radius (NaN of a stray)
 
     // Circles that reach farther from their cells than when they were sorted.
     private int strays;
@@ -80,19 +84,22 @@ public final class CircleGrid {
     private double[] strayY = new double[FEW_STRAYS];
     private double[] strayReach = new double[FEW_STRAYS];
 
-    // Circles in neighbouring cells, as places: gathered first and compared after, each in a loop whose branches can be
-    // foretold.
-    private int neighbours;
-    private long[] neighbour = new long[64]; // place << 32 | other place
-
     private int[] found = new int[16];
-    private int pairs;
-    private int[] first = new int[64];
-    private int[] second = new int[64];
+    private final Team team;
+    private final CellSearch[] search; // by share
+    private final Work searching = this::searchShare;
 
     /** A grid over a plane, or over a world that repeats itself: there a circle meets the nearest image of another. */
     public CircleGrid(@Nullable Period period) {
+        this(period, Team.ofOne());
+    }
+
+    /** The same, whose pairs are found by a team where there are many circles. */
+    public CircleGrid(@Nullable Period period, Team team) {
         this.period = period;
+        this.team = team;
+        this.search = new CellSearch[team.size() > 1 ? SHARES : 1];
+        Arrays.setAll(search, share -> new CellSearch(this, period));
     }
 
     /** Forgets everything and makes room for so many circles. */
@@ -243,7 +250,7 @@ public final class CircleGrid {
     }
 
     /** The number of a row or column on the torus. */
-    private int fold(double number, int of) {
+    int fold(double number, int of) {
         return period == null ? (int) (long) number & of - 1 : (int) Math.floorMod((long) number, of);
     }
 
@@ -286,205 +293,19 @@ public final class CircleGrid {
      * @return how many
      */
     public int findPairs() {
-        pairs = 0;
-        for (int k = 0; k < levels; k++) {
-            pairWithin(used[k]);
-            for (int m = k + 1; m < levels; m++) {
-                pairAcross(used[k], used[m]);
-            }
+        if (search.length == 1 || count < MANY) {
+            search[0].find(0, 1);
+            return search[0].pairs();
         }
-        return pairs;
+        team.share(searching, SHARES);
+        for (int share = 1; share < SHARES; share++) {
+            search[0].append(search[share]);
+        }
+        return search[0].pairs();
     }
 
-    /** Pairs of one level: each circle with those behind it in its cell, with the cell to the right, and with three of the next row. */
-    private void pairWithin(int l) {
-        int across = columns[l];
-        for (int row = 0; row < rows[l]; row++) {
-            int here = firstCell[l] + row * across;
-            int next = row + 1 < rows[l] ? here + across : firstCell[l];
-            int last = start[here + across];
-            for (int p = start[here]; p < last; p++) {
-                int column = home[p] - here;
-                if (column > 0 && column < across - 1 && next != here) {
-                    compareWithRuns(p, start[here + column + 2], start[next + column - 1], start[next + column + 2]);
-                } else {
-                    gatherAtSeam(p, column, across, here, next);
-                }
-            }
-            compare();
-        }
-    }
-
-    private void gatherAtSeam(int p, int column, int across, int here, int next) {
-        gather(p, p + 1, start[here + Math.min(across, column + 2)]);
-        if (across > 1 && column == across - 1) {
-            gather(p, start[here], start[here + 1]);
-        }
-        if (next != here) {
-            gatherThree(p, column, across, next);
-        }
-    }
-
-    /** The cell in this column of a row, and those beside it. */
-    private void gatherThree(int p, int column, int across, int row) {
-        gather(p, start[row + Math.max(0, column - 1)], start[row + Math.min(across, column + 2)]);
-        if (across > 1 && column == 0) {
-            gather(p, start[row + across - 1], start[row + across]);
-        }
-        if (across > 1 && column == across - 1) {
-            gather(p, start[row], start[row + 1]);
-        }
-    }
-
-    /**
-     * Compares a place with two runs of others: from behind it to an end, and from a beginning to an end. Most are shorter than
-     * three, and how long they are is past guessing: to compare with two and three, and keep what is in the run, is faster.
-     */
-    private void compareWithRuns(int p, int end, int from, int to) {
-        if (end - p <= 3 && to - from <= 3 && period == null) {
-            double[] a = at;
-            double px = a[3 * p];
-            double py = a[3 * p + 1];
-            double pr = a[3 * p + 2];
-            long apart = apart(a, p + 1, px, py, pr)
-                    & apart(a, p + 2, px, py, pr)
-                    & apart(a, from, px, py, pr)
-                    & apart(a, from + 1, px, py, pr)
-                    & apart(a, from + 2, px, py, pr);
-            if (apart < 0) {
-                return;
-            }
-        }
-        compareWithRun(p, p + 1, end);
-        compareWithRun(p, from, to);
-    }
-
-    /** Negative when two do not touch: the sign of a difference, which is no branch. */
-    private static long apart(double[] a, int q, double px, double py, double pr) {
-        double dx = a[3 * q] - px;
-        double dy = a[3 * q + 1] - py;
-        double distance = a[3 * q + 2] + pr;
-        return Double.doubleToRawLongBits(distance * distance - (dx * dx + dy * dy));
-    }
-
-    private void compareWithRun(int p, int from, int to) {
-        for (int q = from; q < to; q++) {
-            if (touch(at[3 * q] - at[3 * p], at[3 * q + 1] - at[3 * p + 1], at[3 * q + 2] + at[3 * p + 2])) {
-                add(p, q);
-            }
-        }
-    }
-
-    private void add(int p, int q) {
-        if (pairs == first.length) {
-            first = Arrays.copyOf(first, 2 * pairs);
-            second = Arrays.copyOf(second, 2 * pairs);
-        }
-        first[pairs] = Math.min(circle[p], circle[q]);
-        second[pairs++] = Math.max(circle[p], circle[q]);
-    }
-
-    /** Notes a run of places as neighbours of another. */
-    private void gather(int p, int from, int to) {
-        if (neighbours + to - from + 3 > neighbour.length) {
-            neighbour = Arrays.copyOf(neighbour, Math.max(neighbours + to - from + 3, 2 * neighbour.length));
-        }
-        long[] list = neighbour;
-        long place = (long) p << 32;
-        int k = neighbours;
-        list[k] = place | from;
-        k += from - to >>> 31;
-        list[k] = place | from + 1;
-        k += from + 1 - to >>> 31;
-        list[k] = place | from + 2;
-        k += from + 2 - to >>> 31;
-        for (int q = from + 3; q < to; q++) {
-            list[k++] = place | q;
-        }
-        neighbours = k;
-    }
-
-    /** Makes pairs of the neighbours that touch. */
-    private void compare() {
-        long[] list = neighbour;
-        int touching = 0;
-        for (int n = 0; n < neighbours; n++) {
-            long both = list[n];
-            int p = 3 * (int) (both >>> 32);
-            int q = 3 * (int) both;
-            list[touching] = both;
-            touching += touch(at[q] - at[p], at[q + 1] - at[p + 1], at[q + 2] + at[p + 2]) ? 1 : 0;
-        }
-        neighbours = 0;
-        for (int n = 0; n < touching; n++) {
-            add((int) (list[n] >>> 32), (int) list[n]);
-        }
-    }
-
-    private boolean touch(double dx, double dy, double distance) {
-        double ex = dx;
-        double ey = dy;
-        if (period != null) {
-            ex = nearest(dx, period.width());
-            ey = nearest(dy, period.height());
-        }
-        return ex * ex + ey * ey <= distance * distance;
-    }
-
-    /** Of the difference of two coordinates within one period. */
-    private static double nearest(double difference, double width) {
-        double size = Math.abs(difference);
-        return Math.min(size, width - size);
-    }
-
-    /** Pairs of two levels, asked for by that for which it is cheaper: few large circles, or small ones. */
-    private void pairAcross(int fine, int coarse) {
-        double runs = Math.min(rows[fine], 2 + 1.5 * side[coarse] / side[fine]);
-        boolean fromCoarse = size[coarse] * runs < size[fine] * 3.0;
-        int from = fromCoarse ? coarse : fine;
-        int to = fromCoarse ? fine : coarse;
-        int end = start[firstCell[from] + columns[from] * rows[from]];
-        for (int p = start[firstCell[from]]; p < end; p++) {
-            gatherAround(p, to, at[3 * p], at[3 * p + 1], at[3 * p + 2]);
-            compareWhenMany();
-        }
-        compare();
-    }
-
-    private void compareWhenMany() {
-        if (neighbours > AT_ONCE / 2) {
-            compare();
-        }
-    }
-
-    /** Gathers the cells of a level that hold what may touch this circle. */
-    private void gatherAround(int p, int l, double cx, double cy, double r) {
-        double overhang = OVERHANG + MARGIN;
-        double left = Math.floor((cx - r) * columnsPerLength[l] - overhang);
-        double right = Math.floor((cx + r) * columnsPerLength[l] + overhang);
-        double low = Math.floor((cy - r) * rowsPerLength[l] - overhang);
-        double high = Math.floor((cy + r) * rowsPerLength[l] + overhang);
-        int across = columns[l];
-        int from = 0;
-        int to = across;
-        if (right - left + 1 < across) {
-            from = fold(left, across);
-            to = from + (int) (right - left) + 1;
-        }
-        int row = 0;
-        int rowsLeft = rows[l];
-        if (high - low + 1 < rowsLeft) {
-            row = fold(low, rowsLeft);
-            rowsLeft = (int) (high - low) + 1;
-        }
-        for (; rowsLeft > 0; rowsLeft--) {
-            int here = firstCell[l] + row * across;
-            gather(p, start[here + from], start[here + Math.min(to, across)]);
-            if (to > across) {
-                gather(p, start[here], start[here + to - across]);
-            }
-            row = row + 1 < rows[l] ? row + 1 : 0;
-        }
+    private void searchShare(int share, int member) {
+        search[share].find(share, SHARES);
     }
 
     /**
@@ -500,40 +321,28 @@ public final class CircleGrid {
         double cy = isStray ? strayY[-1 - home[p]] : at[3 * p + 1];
         double r = isStray ? strayReach[-1 - home[p]] : at[3 * p + 2];
         int own = isStray ? -1 : levelOf(home[p]);
+        CellSearch around = search[0];
         for (int k = 0; k < levels; k++) {
-            if (used[k] != own || !gatherBeside(home[p], own)) {
-                gatherAround(0, used[k], cx, cy, r);
+            if (used[k] != own || !around.gatherBeside(home[p], own)) {
+                around.gatherAround(0, used[k], cx, cy, r);
             }
         }
+        int neighbours = around.neighbours();
         if (neighbours + strays > found.length) {
             found = new int[Math.max(neighbours + strays, 2 * found.length)];
         }
         int hits = 0;
         for (int n = 0; n < neighbours; n++) {
-            int q = (int) neighbour[n];
+            int q = around.neighbour(n);
             found[hits] = circle[q];
-            hits += touch(at[3 * q] - cx, at[3 * q + 1] - cy, at[3 * q + 2] + r) ? 1 : 0;
+            hits += around.touch(at[3 * q] - cx, at[3 * q + 1] - cy, at[3 * q + 2] + r) ? 1 : 0;
         }
-        neighbours = 0;
+        around.forgetNeighbours();
         for (int s = 0; s < strays; s++) {
             found[hits] = stray[s];
-            hits += touch(strayX[s] - cx, strayY[s] - cy, strayReach[s] + r) ? 1 : 0;
+            hits += around.touch(strayX[s] - cx, strayY[s] - cy, strayReach[s] + r) ? 1 : 0;
         }
         return hits;
-    }
-
-    /** Gathers a cell and the eight around it; false at the seam. */
-    private boolean gatherBeside(int cell, int l) {
-        int across = columns[l];
-        int row = (cell - firstCell[l]) / across;
-        int column = cell - firstCell[l] - row * across;
-        if (column == 0 || column >= across - 1 || row == 0 || row >= rows[l] - 1) {
-            return false;
-        }
-        gather(0, start[cell - across - 1], start[cell - across + 2]);
-        gather(0, start[cell - 1], start[cell + 2]);
-        gather(0, start[cell + across - 1], start[cell + across + 2]);
-        return true;
     }
 
     /** The {@code hit}-th circle of the last query. */
@@ -543,12 +352,12 @@ public final class CircleGrid {
 
     /** The lower number of the {@code k}-th pair. */
     public int first(int k) {
-        return first[k];
+        return search[0].first(k);
     }
 
     /** The higher number of the {@code k}-th pair. */
     public int second(int k) {
-        return second[k];
+        return search[0].second(k);
     }
 
     /** Changes a circle after {@link #build}. */

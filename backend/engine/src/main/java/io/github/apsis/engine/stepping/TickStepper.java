@@ -11,6 +11,7 @@ import io.github.apsis.engine.integration.Chord;
 import io.github.apsis.engine.integration.Integrator;
 import io.github.apsis.engine.integration.PathIntegrator;
 import io.github.apsis.engine.math.Period;
+import io.github.apsis.engine.parallel.Team;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 
@@ -29,11 +30,12 @@ public final class TickStepper implements Stepper {
             OptionalDouble restitution,
             ContactMode mode,
             Boundary boundary,
-            double dt) {
+            double dt,
+            Team team) {
         this.integrator = integrator;
         this.forces = forces;
         this.contacts = restitution.isPresent() || Boundary.hasWalls(boundary)
-                ? new ContactSolver(restitution, boundary, mode)
+                ? new ContactSolver(restitution, boundary, mode, team)
                 : null;
         this.path = pathOf(integrator, contacts != null || boundary instanceof Boundary.Periodic);
         this.period = boundary instanceof Boundary.Periodic p ? new Period(p.box()) : null;

@@ -7,6 +7,7 @@ import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.math.Rng;
+import io.github.apsis.engine.parallel.Team;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -37,7 +38,7 @@ class BroadPhaseTest {
         var paths = new Paths();
         paths.begin(bodies, DT);
         bodies.drift(DT);
-        var broadPhase = new BroadPhase(period);
+        var broadPhase = new BroadPhase(period, Team.ofOne());
         broadPhase.build(bodies, paths);
 
         assertThat(found(broadPhase)).as("seed %d", seed).containsAll(meeting(bodies, paths, period));

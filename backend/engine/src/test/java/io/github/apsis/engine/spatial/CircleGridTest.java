@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.math.Rng;
+import io.github.apsis.engine.parallel.Team;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -51,6 +52,21 @@ class CircleGridTest {
                     assertThat(pairs(grid))
                             .as("%s, seed %d, %s", radii, seed, period == null ? "open" : "periodic")
                             .isEqualTo(touching(circles, period));
+                }
+            }
+        }
+    }
+
+    @Test
+    void a_team_finds_the_same_pairs() {
+        try (Team team = new Team(3)) {
+            for (Radii radii : Radii.values()) {
+                for (Period period : periods()) {
+                    List<Circle> circles = circles(5000, radii, new Rng(7)); // fewer are left to one thread
+
+                    assertThat(pairs(filled(new CircleGrid(period, team), circles)))
+                            .as("%s, %s", radii, period == null ? "open" : "periodic")
+                            .isEqualTo(pairs(grid(circles, period)));
                 }
             }
         }
@@ -138,7 +154,10 @@ class CircleGridTest {
     }
 
     private static CircleGrid grid(List<Circle> circles, @Nullable Period period) {
-        var grid = new CircleGrid(period);
+        return filled(new CircleGrid(period), circles);
+    }
+
+    private static CircleGrid filled(CircleGrid grid, List<Circle> circles) {
         grid.begin(circles.size());
         for (int i = 0; i < circles.size(); i++) {
             grid.set(i, circles.get(i).x, circles.get(i).y, circles.get(i).r);
