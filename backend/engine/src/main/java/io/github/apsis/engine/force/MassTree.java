@@ -41,6 +41,7 @@ final class MassTree implements Work {
 
     private int boughs;
     private int[] bough = new int[64]; // their cells, ascending
+    private int[] inTurn = new int[64]; // numbers of boughs, large ones first
     private boolean[] ordinaryBough = new boolean[64];
     private boolean ordinary; // no coordinate is so small that d³ underflows, or so large that d² overflows
 
@@ -104,10 +105,28 @@ final class MassTree implements Work {
             }
             if (boughs == bough.length) {
                 bough = Arrays.copyOf(bough, 2 * boughs);
+                inTurn = new int[2 * boughs];
                 ordinaryBough = new boolean[2 * boughs];
             }
             bough[boughs++] = cell;
             cell = tree.past(cell);
+        }
+        takeLargeOnesFirst(most);
+    }
+
+    /** So that threads who share the boughs end together. */
+    private void takeLargeOnesFirst(int most) {
+        int turn = 0;
+        int smaller = most;
+        while (turn < boughs) {
+            int larger = smaller;
+            smaller = larger / 2;
+            for (int k = 0; k < boughs; k++) {
+                int size = Math.min(most, tree.size(bough[k]));
+                if (size > smaller && size <= larger) {
+                    inTurn[turn++] = k;
+                }
+            }
         }
     }
 
@@ -264,6 +283,11 @@ final class MassTree implements Work {
     /** How many boughs there are. */
     int boughs() {
         return boughs;
+    }
+
+    /** The bough whose turn it is, of those that threads share. */
+    int inTurn(int turn) {
+        return inTurn[turn];
     }
 
     /** The cell that a bough begins with. */

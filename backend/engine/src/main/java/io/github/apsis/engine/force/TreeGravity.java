@@ -116,7 +116,8 @@ public final class TreeGravity implements ForceLaw {
         return pulled.count() < MANY ? alone : team;
     }
 
-    private void pullBough(int bough, int member) {
+    private void pullBough(int turn, int member) {
+        int bough = masses.inTurn(turn);
         walks[member].pullBough(bough, trunk);
         int cell = masses.bough(bough);
         giants.pull(
