@@ -28,7 +28,7 @@ final class MassTree implements Work {
 
     private final CellKernels[] kernels; // by member of the team
     private final Giants giants;
-    private final Quadtree tree = Quadtree.ofPoints(LEAF_SIZE);
+    private final Quadtree tree;
     private final PointMasses masses = new PointMasses();
     private final CellExpansions cells = new CellExpansions();
     private double theta;
@@ -45,7 +45,8 @@ final class MassTree implements Work {
     private boolean[] ordinaryBough = new boolean[64];
     private boolean ordinary; // no coordinate is so small that d³ underflows, or so large that d² overflows
 
-    MassTree(CellKernels[] kernels, Giants giants) {
+    MassTree(CellKernels[] kernels, Giants giants, Team team) {
+        this.tree = Quadtree.ofPoints(LEAF_SIZE, team);
         this.kernels = kernels;
         this.giants = giants;
     }

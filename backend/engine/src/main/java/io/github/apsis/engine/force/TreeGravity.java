@@ -74,7 +74,7 @@ public final class TreeGravity implements ForceLaw {
         var kernels = new CellKernels[team.size()];
         Arrays.setAll(kernels, member -> new CellKernels(softening));
         this.giants = new Giants(softening);
-        this.masses = new MassTree(kernels, giants);
+        this.masses = new MassTree(kernels, giants, team);
         this.trunk = new CellWalk(masses, kernels[0], softening);
         this.walks = new CellWalk[team.size()];
         Arrays.setAll(walks, member -> new CellWalk(masses, kernels[member], softening));

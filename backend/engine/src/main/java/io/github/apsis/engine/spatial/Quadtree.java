@@ -1,5 +1,7 @@
 package io.github.apsis.engine.spatial;
 
+import io.github.apsis.engine.parallel.Team;
+import io.github.apsis.engine.parallel.Work;
 import java.util.Arrays;
 
 /**
@@ -17,14 +19,14 @@ import java.util.Arrays;
 public final class Quadtree {
     private static final int DEFAULT_LEAF_SIZE = 8;
     private static final int LEVELS = 16; // two bits of the 32-bit Z-order key each
-    private static final double KEY_SCALE = 65535;
 
     // Digits of the radix sort, in bits: three of 11 where many items are worth their histograms, and four of 8
     // elsewhere.
     private static final int NARROW = 8;
     private static final int WIDE = 11;
     private static final int MANY = 2048;
-    private static final int MOST_DIGITS = 4;
+    private static final int MOST_SHARES = 8;
+    private static final int MANY_FOR_A_TEAM = 4000; // items, whose keys take 30 µs: fewer are not shared
 
     private final int leafSize;
     private final boolean hasBoxes; // of its nodes
@@ -34,9 +36,14 @@ public final class Quadtree {
     private double[] maxX = new double[16];
     private double[] maxY = new double[16];
 
-    private long[] order = new long[16]; // key << 32 | item, sorted
+    long[] order = new long[16]; // key << 32 | item, sorted
     private long[] spare = new long[16];
-    private final int[] histogram = new int[MOST_DIGITS << WIDE]; // of all digits of a key, one behind the other
+    private final Team team;
+    private final MortonKeys[] keys; // by share
+    private final Work boxing = this::findBoxOfShare;
+    private final Work keying = this::giveKeysToShare;
+    private int bits; // of a digit, in the sort of the moment
+    private int digits;
 
     private int nodes;
     private double[] nodeMinX = new double[16];
@@ -56,20 +63,23 @@ public final class Quadtree {
 
     /** A tree whose nodes are divided as long as they hold more items than this. */
     public Quadtree(int leafSize) {
-        this(leafSize, true);
+        this(leafSize, true, Team.ofOne());
     }
 
-    private Quadtree(int leafSize, boolean hasBoxes) {
+    private Quadtree(int leafSize, boolean hasBoxes, Team team) {
         this.leafSize = leafSize;
         this.hasBoxes = hasBoxes;
+        this.team = team;
+        this.keys = new MortonKeys[Math.min(MOST_SHARES, 2 * team.size() - 1)];
+        Arrays.setAll(keys, share -> new MortonKeys());
     }
 
     /**
      * A tree of points, set by {@link #setPoint} alone, for sums over its nodes: these have no boxes, which take half as long as all the
-     * rest, and cannot be queried. Takes half the memory for items.
+     * rest, and cannot be queried. Takes half the memory for items. A team gives many of them their keys.
      */
-    public static Quadtree ofPoints(int leafSize) {
-        var tree = new Quadtree(leafSize, false);
+    public static Quadtree ofPoints(int leafSize, Team team) {
+        var tree = new Quadtree(leafSize, false, team);
         tree.maxX = tree.minX;
         tree.maxY = tree.minY;
         return tree;
@@ -119,59 +129,59 @@ public final class Quadtree {
 
     /** Sorts a run along the Z-order curve within its own box; false when all its centres are one, or not to be told apart. */
     private boolean sort(int start, int stop) {
-        double lowX = Double.POSITIVE_INFINITY;
-        double lowY = Double.POSITIVE_INFINITY;
-        double highX = Double.NEGATIVE_INFINITY;
-        double highY = Double.NEGATIVE_INFINITY;
-        for (int p = start; p < stop; p++) {
-            int i = item(p);
-            double x = 0.5 * minX[i] + 0.5 * maxX[i];
-            double y = 0.5 * minY[i] + 0.5 * maxY[i];
-            lowX = x < lowX ? x : lowX; // seldom; Math.min would wait for the one before
-            lowY = y < lowY ? y : lowY;
-            highX = x > highX ? x : highX;
-            highY = y > highY ? y : highY;
-        }
-        double side = Math.max(highX - lowX, highY - lowY);
-        double scale = KEY_SCALE / side;
-        if (!(scale > 0) || Double.isInfinite(scale)) {
-            return false; // side is 0, denormal, or beyond the numbers
-        }
         // An odd number of passes ends in the other array, which has all items only if all are sorted.
-        int bits = stop - start < count || count < MANY ? NARROW : WIDE;
-        int digits = (2 * LEVELS + bits - 1) / bits;
-        Arrays.fill(histogram, 0, digits << bits, 0);
-        long mask = (1L << bits) - 1;
-        for (int p = start; p < stop; p++) {
-            int i = item(p);
-            int column = (int) ((0.5 * minX[i] + 0.5 * maxX[i] - lowX) * scale);
-            int row = (int) ((0.5 * minY[i] + 0.5 * maxY[i] - lowY) * scale);
-            long key = spread(column) | spread(row) << 1;
-            order[p] = key << 32 | i;
-            histogram[(int) (key & mask)]++;
-            histogram[(1 << bits) + (int) (key >>> bits & mask)]++;
-            histogram[(2 << bits) + (int) (key >>> 2 * bits & mask)]++;
-            if (digits > 3) {
-                histogram[(3 << bits) + (int) (key >>> 3 * bits & mask)]++;
+        bits = stop - start < count || count < MANY ? NARROW : WIDE;
+        digits = (2 * LEVELS + bits - 1) / bits;
+        boolean shared = stop - start == count && count >= MANY_FOR_A_TEAM && keys.length > 1;
+        MortonKeys all = keys[0];
+        if (shared) {
+            team.share(boxing, keys.length);
+            for (int share = 1; share < keys.length; share++) {
+                all.join(keys[share]);
             }
+        } else {
+            all.findBox(this, start, stop);
+        }
+        double scale = all.scale();
+        if (scale == 0 || Double.isInfinite(scale)) {
+            return false;
+        }
+        if (shared) {
+            team.share(keying, keys.length);
+            for (int share = 1; share < keys.length; share++) {
+                all.add(keys[share], digits << bits);
+            }
+        } else {
+            all.giveKeys(this, all, start, stop, bits, digits);
         }
         for (int digit = 0; digit < digits; digit++) {
-            sortByDigit(start, stop, bits, digit);
+            sortByDigit(all.histogram, start, stop, digit);
         }
         return true;
     }
 
-    /** Puts a zero between every two of 16 bits. */
-    private static long spread(int bits) {
-        long b = bits & 0xffffL;
-        b = (b | b << 8) & 0x00ff00ffL;
-        b = (b | b << 4) & 0x0f0f0f0fL;
-        b = (b | b << 2) & 0x33333333L;
-        return (b | b << 1) & 0x55555555L;
+    private void findBoxOfShare(int share, int member) {
+        keys[share].findBox(this, beginningOf(share), beginningOf(share + 1));
+    }
+
+    private void giveKeysToShare(int share, int member) {
+        keys[share].giveKeys(this, keys[0], beginningOf(share), beginningOf(share + 1), bits, digits);
+    }
+
+    private int beginningOf(int share) {
+        return (int) ((long) count * share / keys.length);
+    }
+
+    double centreX(int item) {
+        return 0.5 * minX[item] + 0.5 * maxX[item];
+    }
+
+    double centreY(int item) {
+        return 0.5 * minY[item] + 0.5 * maxY[item];
     }
 
     /** One pass of a radix sort; stable, so equal keys stay in the order they had. */
-    private void sortByDigit(int start, int stop, int bits, int digit) {
+    private void sortByDigit(int[] histogram, int start, int stop, int digit) {
         int from = digit << bits;
         int place = start;
         for (int value = from; value < from + (1 << bits); value++) {
