@@ -40,6 +40,7 @@ final class CellSearch {
     private void pairWithin(int l, int share, int shares) {
         int[] start = grid.start;
         int[] home = grid.home;
+        double[] at = grid.at;
         int across = grid.columns[l];
         int from = place(l, share, shares);
         int to = place(l, share + 1, shares);
@@ -53,7 +54,8 @@ final class CellSearch {
             for (int p = start[here]; p < last; p++) {
                 int column = home[p] - here;
                 if (column > 0 && column < across - 1 && next != here) {
-                    compareWithRuns(p, start[here + column + 2], start[next + column - 1], start[next + column + 2]);
+                    compareWithRuns(
+                            at, p, start[here + column + 2], start[next + column - 1], start[next + column + 2]);
                 } else {
                     gatherAtSeam(p, column, across, here, next);
                 }
@@ -92,9 +94,8 @@ final class CellSearch {
      * Compares a place with two runs of others: from behind it to an end, and from a beginning to an end. Most are shorter than
      * three, and how long they are is past guessing: to compare with two and three, and keep what is in the run, is faster.
      */
-    private void compareWithRuns(int p, int end, int from, int to) {
+    private void compareWithRuns(double[] a, int p, int end, int from, int to) {
         if (end - p <= 3 && to - from <= 3 && period == null) {
-            double[] a = grid.at;
             double px = a[3 * p];
             double py = a[3 * p + 1];
             double pr = a[3 * p + 2];
@@ -107,8 +108,8 @@ final class CellSearch {
                 return;
             }
         }
-        compareWithRun(p, p + 1, end);
-        compareWithRun(p, from, to);
+        compareWithRun(a, p, p + 1, end);
+        compareWithRun(a, p, from, to);
     }
 
     /** Negative when two do not touch: the sign of a difference, which is no branch. */
@@ -119,8 +120,7 @@ final class CellSearch {
         return Double.doubleToRawLongBits(distance * distance - (dx * dx + dy * dy));
     }
 
-    private void compareWithRun(int p, int from, int to) {
-        double[] at = grid.at;
+    private void compareWithRun(double[] at, int p, int from, int to) {
         for (int q = from; q < to; q++) {
             if (touch(at[3 * q] - at[3 * p], at[3 * q + 1] - at[3 * p + 1], at[3 * q + 2] + at[3 * p + 2])) {
                 add(p, q);
@@ -243,30 +243,37 @@ final class CellSearch {
 
     /** Gathers a cell and the eight around it; false at the seam. */
     boolean gatherBeside(int cell, int l) {
+        int[] start = grid.start;
         int across = grid.columns[l];
         int row = (cell - grid.firstCell[l]) / across;
         int column = cell - grid.firstCell[l] - row * across;
         if (column == 0 || column >= across - 1 || row == 0 || row >= grid.rows[l] - 1) {
             return false;
         }
-        gather(0, grid.start[cell - across - 1], grid.start[cell - across + 2]);
-        gather(0, grid.start[cell - 1], grid.start[cell + 2]);
-        gather(0, grid.start[cell + across - 1], grid.start[cell + across + 2]);
+        gather(0, start[cell - across - 1], start[cell - across + 2]);
+        gather(0, start[cell - 1], start[cell + 2]);
+        gather(0, start[cell + across - 1], start[cell + across + 2]);
         return true;
     }
 
-    /** How many circles have been gathered since the last were forgotten. */
+    /** How many circles have been gathered since the last were kept or compared. */
     int neighbours() {
         return neighbours;
     }
 
-    /** The place of one of them. */
-    int neighbour(int n) {
-        return (int) neighbour[n];
-    }
-
-    void forgetNeighbours() {
+    /** Keeps those that touch a circle, and returns how many. */
+    int keepTouching(double cx, double cy, double r, int[] found) {
+        long[] list = neighbour;
+        double[] at = grid.at;
+        int[] circle = grid.circle;
+        int hits = 0;
+        for (int n = 0; n < neighbours; n++) {
+            int q = (int) list[n];
+            found[hits] = circle[q];
+            hits += touch(at[3 * q] - cx, at[3 * q + 1] - cy, at[3 * q + 2] + r) ? 1 : 0;
+        }
         neighbours = 0;
+        return hits;
     }
 
     /** How many pairs have been found. */

@@ -147,14 +147,15 @@ public final class CircleGrid {
     private double fittingReach() {
         int step = Math.max(1, count / SAMPLE);
         double usual = usualReach(step);
+        double most = MUCH_LARGER * usual;
         double squares = 0;
         int sample = 0;
         for (int i = 0; i < count; i += step) {
-            double share = Math.min(MUCH_LARGER, reach[i] / usual);
-            squares += share * share;
+            double counted = reach[i] < most ? reach[i] : most;
+            squares += counted * counted;
             sample++;
         }
-        double fitting = usual * Math.sqrt(Math.max(1, squares / Math.max(1, sample)));
+        double fitting = Math.max(usual, Math.sqrt(squares / Math.max(1, sample)));
         return Math.max(SMALLEST, Math.min(LARGEST, fitting));
     }
 
@@ -346,17 +347,10 @@ public final class CircleGrid {
                 around.gatherAround(0, used[k], cx, cy, r);
             }
         }
-        int neighbours = around.neighbours();
-        if (neighbours + strays > found.length) {
-            found = new int[Math.max(neighbours + strays, 2 * found.length)];
+        if (around.neighbours() + strays > found.length) {
+            found = new int[Math.max(around.neighbours() + strays, 2 * found.length)];
         }
-        int hits = 0;
-        for (int n = 0; n < neighbours; n++) {
-            int q = around.neighbour(n);
-            found[hits] = circle[q];
-            hits += around.touch(at[3 * q] - cx, at[3 * q + 1] - cy, at[3 * q + 2] + r) ? 1 : 0;
-        }
-        around.forgetNeighbours();
+        int hits = around.keepTouching(cx, cy, r, found);
         for (int s = 0; s < strays; s++) {
             found[hits] = stray[s];
             hits += around.touch(strayX[s] - cx, strayY[s] - cy, strayReach[s] + r) ? 1 : 0;
