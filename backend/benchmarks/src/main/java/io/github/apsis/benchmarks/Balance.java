@@ -84,8 +84,8 @@ public final class Balance {
     }
 
     /** Bodies that left the world of themselves. */
-    public int departures() {
-        return world.departures().size();
+    public long departures() {
+        return world.departed();
     }
 
     /** As a share of the smaller radius. */

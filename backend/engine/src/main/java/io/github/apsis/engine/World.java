@@ -39,7 +39,6 @@ import io.github.apsis.engine.stepping.EventStepper;
 import io.github.apsis.engine.stepping.Stepper;
 import io.github.apsis.engine.stepping.TickStepper;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -58,7 +57,7 @@ public final class World implements AutoCloseable {
     private final Forces forces;
     private final Steering steering;
     private final Stepper stepper;
-    private final List<Departure> departures = new ArrayList<>();
+    private final Departures departures = new Departures();
     private final @Nullable Wrecks wrecks; // null where ships go on
     private long tick;
     private boolean numbersKnown; // of all bodies since the last tick: only what is added may be beyond them
@@ -84,6 +83,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException when a body is nowhere (NaN); the world must not be used any more
      */
     public void step() {
+        departures.beginTick();
         if (spec.dt() > 0) {
             if (!numbersKnown && stepper.needsNumbers() && !bodies.areWithinNumbers()) {
                 letGo(); // powers of such a speed are beyond a series, and no wall holds it
@@ -257,9 +257,25 @@ public final class World implements AutoCloseable {
         return bodies.ledger();
     }
 
-    /** The bodies that have left of themselves since the world began, in that order: a view that grows. */
+    /**
+     * The bodies that have left of themselves, in that order: all of the last tick, and of those before no more than the last
+     * thousand. A view, which the next tick changes; {@link #departed} counts all.
+     */
     public List<Departure> departures() {
-        return Collections.unmodifiableList(departures);
+        return departures.last();
+    }
+
+    /** How many bodies have left of themselves since the world began. */
+    public long departed() {
+        return departures.count();
+    }
+
+    /**
+     * The {@link #departures} after the first so many: who asks after every tick with what {@link #departed} was the last time
+     * misses none.
+     */
+    public List<Departure> departuresSince(long departed) {
+        return departures.since(departed);
     }
 
     /** What a ship is doing; empty when there is no such ship. */

@@ -46,7 +46,7 @@ final class Wrecks implements ContactListener {
     }
 
     /** Takes them out of the world, after this tick. */
-    void clear(long tick, List<Departure> departures) {
+    void clear(long tick, Departures departures) {
         for (Wreck wreck : wrecks) {
             bodies.remove(bodies.slotOf(wreck.ship));
             departures.add(new Departure(wreck.ship, tick, Departure.Reason.COLLIDED, Optional.of(wreck.other)));

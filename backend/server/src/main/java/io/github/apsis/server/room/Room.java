@@ -62,7 +62,7 @@ public final class Room {
     private final ShipChronicle chronicle;
     private final CommandQueue<Runnable> commands = new CommandQueue<>(QUEUE_CAPACITY);
     private @Nullable WorldSnapshot now;
-    private int departures; // of the world's, those that are done with
+    private long departed; // bodies that are done with
     private boolean hasWarned;
     private volatile int bodies;
     private volatile boolean closed;
@@ -140,9 +140,7 @@ public final class Room {
 
     /** What left of itself ends as what is removed: out of the frames, and nobody's selection. */
     private void forgetDeparted() {
-        List<Departure> all = world.departures();
-        for (; departures < all.size(); departures++) {
-            Departure departure = all.get(departures);
+        for (Departure departure : world.departuresSince(departed)) {
             if (departure.reason() != Departure.Reason.COLLIDED && !hasWarned) {
                 hasWarned = true;
                 log.warn(
@@ -154,6 +152,7 @@ public final class Room {
             }
             forget(departure.body());
         }
+        departed = world.departed();
     }
 
     /** Refuses what waits and what still comes. */
