@@ -167,7 +167,7 @@ public final class World implements AutoCloseable {
         }
         BodyDef body = command.body();
         numbersKnown = false;
-        if (!spec.boundary().holds(body.x(), body.y(), body.radius())) {
+        if (!spec.boundary().takes(body.x(), body.y(), body.radius())) {
             return new Rejected(Reason.OUTSIDE_WORLD);
         }
         return new Accepted(bodies.id(bodies.add(body)));

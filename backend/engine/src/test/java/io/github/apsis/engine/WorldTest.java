@@ -44,7 +44,7 @@ class WorldTest {
         BodyId ship = world.add(BodyDef.ship(20, 0, 1, 1, new ShipLimits(10, 10)));
         long before = world.stateHash();
 
-        assertThat(world.apply(new Command.AddBody(BodyDef.planet(100, 0, 1, 1))))
+        assertThat(world.apply(new Command.AddBody(BodyDef.planet(101, 0, 1, 1))))
                 .isEqualTo(new Rejected(Reason.OUTSIDE_WORLD));
         assertThat(world.apply(new Command.SeekTarget(planet, 0, 0))).isEqualTo(new Rejected(Reason.NOT_A_SHIP));
         assertThat(world.apply(new Command.SeekTarget(ship, 101, 0))).isEqualTo(new Rejected(Reason.OUTSIDE_WORLD));

@@ -5,8 +5,14 @@ import java.util.List;
 
 /** The edge of a world. */
 public sealed interface Boundary {
-    /** Whether a circle may be put there: finite, and not beyond the edge. */
+    /** Whether a circle lies there clear of the edge: finite, and not beyond. */
     boolean holds(double x, double y, double radius);
+
+    /**
+     * Whether a circle may be born there: its centre inside, and not too large to get clear of the edge. What lies in a wall is
+     * pushed out by and by, as what lies in another body.
+     */
+    boolean takes(double x, double y, double radius);
 
     /** Whether there is something to bounce off. */
     static boolean hasWalls(Boundary boundary) {
@@ -27,6 +33,11 @@ public sealed interface Boundary {
         public boolean holds(double x, double y, double radius) {
             return Double.isFinite(x) && Double.isFinite(y);
         }
+
+        @Override
+        public boolean takes(double x, double y, double radius) {
+            return holds(x, y, radius);
+        }
     }
 
     /**
@@ -43,6 +54,11 @@ public sealed interface Boundary {
         @Override
         public boolean holds(double x, double y, double radius) {
             return box.contains(x - radius, y - radius) && box.contains(x + radius, y + radius);
+        }
+
+        @Override
+        public boolean takes(double x, double y, double radius) {
+            return box.contains(x, y) && 2 * radius <= Math.min(box.width(), box.height());
         }
     }
 
@@ -63,6 +79,11 @@ public sealed interface Boundary {
             return Double.isFinite(x)
                     && Double.isFinite(y)
                     && insides.stream().allMatch(p -> p.nx() * x + p.ny() * y - p.d() >= radius);
+        }
+
+        @Override
+        public boolean takes(double x, double y, double radius) {
+            return holds(x, y, 0);
         }
     }
 
@@ -100,6 +121,11 @@ public sealed interface Boundary {
         @Override
         public boolean holds(double x, double y, double radius) {
             return box.contains(x, y) && radius < 0.25 * Math.min(box.width(), box.height());
+        }
+
+        @Override
+        public boolean takes(double x, double y, double radius) {
+            return holds(x, y, radius);
         }
     }
 }

@@ -16,8 +16,8 @@ import java.util.Arrays;
  * That is RATTLE (Andersen 1983, J. Comput. Phys. 52, 24) with contacts that push and never pull: of second order in the tick, and
  * since it aims at g = 0 from wherever g is, nothing creeps.
  *
- * <p>Partners that overlap are parted along the normal without velocity, at most a hundredth of their size and never faster than
- * ten mean radii per time; what that lifts is booked.
+ * <p>Partners that overlap are parted along the normal without velocity, in a tick at most a hundredth of the sum of their radii and
+ * never faster than ten mean radii per time; what that lifts is booked.
  */
 final class HeldContacts {
     /** Beyond this gap, in units of their size, partners have parted. */
@@ -26,8 +26,8 @@ final class HeldContacts {
     /** An overlap below this share of their size is left alone. */
     private static final double SLOP = 1e-9;
 
-    private static final double LARGEST_PUSH = 0.01; // of their size
-    private static final double PARTING_SPEED = 5; // sizes per time
+    private static final double LARGEST_PUSH = 0.01; // of the sum of their radii
+    private static final double PARTING_SPEED = 5; // sums of radii per time
 
     /** A hop is shorter than the tick where it would rise by more than this share of the distance of the centres. */
     private static final double HIGHEST = 1e-3;
@@ -185,13 +185,20 @@ final class HeldContacts {
         boolean moved = false;
         for (int k = 0; k < overlapping.size(); k++) {
             overlapping.measure(bodies, k);
-            double size = overlapping.size(bodies, k);
-            if (overlapping.gap(k) < -SLOP * size) {
-                part(bodies, overlapping, k, Math.min(LARGEST_PUSH, PARTING_SPEED * lasted) * size, t);
+            if (overlapping.gap(k) < -SLOP * overlapping.size(bodies, k)) {
+                part(bodies, overlapping, k, mostPush(bodies, overlapping, k, lasted), t);
                 moved = true;
             }
         }
         return moved;
+    }
+
+    /** How far a pair may be parted; in a wall a body meets its image, and a centre beyond it comes back at once. */
+    private static double mostPush(Bodies bodies, ContactSet overlapping, int k, double lasted) {
+        double share = Math.min(LARGEST_PUSH, PARTING_SPEED * lasted);
+        double radius = bodies.radius(overlapping.first(k));
+        int b = overlapping.second(k);
+        return b < 0 ? Math.max(share * 2 * radius, -overlapping.gap(k) - radius) : share * (radius + bodies.radius(b));
     }
 
     private void part(Bodies bodies, ContactSet overlapping, int k, double most, double t) {
