@@ -30,11 +30,18 @@ public final class SceneRun {
      * What came out.
      *
      * @param warmUpTicks of the world that was thrown away
-     * @param allocatedBytes by all measured ticks together
+     * @param firstTickBytes allocated by the first tick, in which a new world asks for its scratch memory
+     * @param allocatedBytes by all others together: lists that grow when more bodies touch than ever before
      * @param balance of the measured world, looked at once in a simulated second
      * @param stateHash after the last tick
      */
-    public record Result(long warmUpTicks, TickTimes times, long allocatedBytes, Balance balance, long stateHash) {}
+    public record Result(
+            long warmUpTicks,
+            TickTimes times,
+            long firstTickBytes,
+            long allocatedBytes,
+            Balance balance,
+            long stateHash) {}
 
     /**
      * Warms up, then measures so many ticks.
@@ -46,15 +53,22 @@ public final class SceneRun {
         World world = scene.world(seed);
         Balance balance = new Balance(world);
         TickTimes times = new TickTimes();
+        long firstTick = 0;
         long allocated = 0;
         while (times.count() < ticks) {
-            long before = threads.getCurrentThreadAllocatedBytes();
-            tick(world, times, Math.min(CHUNK, ticks - times.count()));
-            allocated += threads.getCurrentThreadAllocatedBytes() - before;
+            long begin = threads.getCurrentThreadAllocatedBytes();
+            long end = Math.min(times.count() + CHUNK, ticks);
+            if (times.count() == 0) {
+                tick(world, times, 1);
+                firstTick = threads.getCurrentThreadAllocatedBytes() - begin;
+                begin += firstTick;
+            }
+            tick(world, times, end - times.count());
+            allocated += threads.getCurrentThreadAllocatedBytes() - begin;
             balance.look();
             progress.accept(times.count());
         }
-        return new Result(warmUpTicks, times, allocated, balance, world.stateHash());
+        return new Result(warmUpTicks, times, firstTick, allocated, balance, world.stateHash());
     }
 
     /** As many ticks as will be measured, but no more than three seconds of them. */

@@ -22,7 +22,8 @@ import picocli.CommandLine.Spec;
         footer = {
             "",
             "Before the measurement the same scene runs for up to 3 s to warm the compiler up;",
-            "that world is thrown away. Time per tick and allocation count the measured ticks alone."
+            "that world is thrown away. Time per tick and allocation count the measured ticks alone; the",
+            "first, in which a new world asks for its memory, is told apart."
         })
 final class RunCommand implements Callable<Integer> {
     private static final long PROGRESS_NANOS = 5_000_000_000L;

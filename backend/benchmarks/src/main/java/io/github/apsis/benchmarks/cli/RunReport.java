@@ -24,7 +24,7 @@ record RunReport(String scene, long seed, SceneRun.Result result) {
                 ticks per second  %.0f
                 real-time factor  %.1f at 150 ticks a second
                 time per tick     p50 %s, p99 %s, max %s
-                allocated         %.1f bytes per tick
+                allocated         %.1f bytes per tick, after %d in the first
                 energy            %s
                 energy drift      %s
                 momentum drift    %.2e, at worst %.2e
@@ -44,6 +44,7 @@ record RunReport(String scene, long seed, SceneRun.Result result) {
                 micros(times().percentileNanos(0.99)),
                 micros(times().maxNanos()),
                 allocatedPerTick(),
+                result.firstTickBytes(),
                 energy(),
                 energyDrift(),
                 balance().drift().momentum(),
@@ -70,6 +71,7 @@ record RunReport(String scene, long seed, SceneRun.Result result) {
         facts.put("tickNanosP50", String.valueOf(times().percentileNanos(0.5)));
         facts.put("tickNanosP99", String.valueOf(times().percentileNanos(0.99)));
         facts.put("tickNanosMax", String.valueOf(times().maxNanos()));
+        facts.put("allocatedBytesInFirstTick", String.valueOf(result.firstTickBytes()));
         facts.put("allocatedBytesPerTick", number("%.1f", allocatedPerTick()));
         facts.put("energyChange", number(balance().energyChange()));
         facts.put("bookedWork", number("%.6e", balance().work()));
@@ -100,7 +102,7 @@ record RunReport(String scene, long seed, SceneRun.Result result) {
     }
 
     private double allocatedPerTick() {
-        return (double) result.allocatedBytes() / times().count();
+        return (double) result.allocatedBytes() / Math.max(1, times().count() - 1);
     }
 
     private String bodies() {
