@@ -34,6 +34,7 @@ import io.github.apsis.engine.integration.VelocityVerlet;
 import io.github.apsis.engine.integration.Yoshida4;
 import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.parallel.Team;
+import io.github.apsis.engine.spatial.Workspace;
 import io.github.apsis.engine.steering.Steering;
 import io.github.apsis.engine.stepping.EventStepper;
 import io.github.apsis.engine.stepping.Stepper;
@@ -65,10 +66,11 @@ public final class World implements AutoCloseable {
     public World(WorldSpec spec) {
         this.spec = spec;
         team = new Team(spec.threads());
-        gravity = gravityOf(spec, team);
+        var workspace = new Workspace(); // gravity is over when contacts begin
+        gravity = gravityOf(spec, team, workspace);
         forces = new Forces(lawsOf(gravity, spec));
         steering = steeringOf(spec, team);
-        stepper = stepperOf(spec, forces, team);
+        stepper = stepperOf(spec, forces, team, workspace);
         wrecks = spec.shipsAreMortal() ? new Wrecks(bodies) : null;
         if (wrecks != null) {
             stepper.onBounce(wrecks);
@@ -346,7 +348,7 @@ public final class World implements AutoCloseable {
         }
     }
 
-    private static @Nullable ForceLaw gravityOf(WorldSpec spec, Team team) {
+    private static @Nullable ForceLaw gravityOf(WorldSpec spec, Team team, Workspace workspace) {
         if (spec.gravity() == 0) {
             return null;
         }
@@ -354,12 +356,12 @@ public final class World implements AutoCloseable {
             return new NearestImageGravity(spec.gravity(), spec.softening(), p.box());
         }
         if (spec.gravityMethod() instanceof GravityMethod.Tree tree) {
-            return new TreeGravity(spec.gravity(), spec.softening(), tree.theta(), team);
+            return new TreeGravity(spec.gravity(), spec.softening(), tree.theta(), team, workspace);
         }
         if (spec.gravityMethod() instanceof GravityMethod.Adaptive adaptive) {
-            return new AdaptiveGravity(spec.gravity(), spec.softening(), adaptive.forceError(), team);
+            return new AdaptiveGravity(spec.gravity(), spec.softening(), adaptive.forceError(), team, workspace);
         }
-        return new DirectGravity(spec.gravity(), spec.softening(), team);
+        return new DirectGravity(spec.gravity(), spec.softening(), team, workspace);
     }
 
     private static List<ForceLaw> lawsOf(@Nullable ForceLaw gravity, WorldSpec spec) {
@@ -381,13 +383,20 @@ public final class World implements AutoCloseable {
     }
 
     /** Exact contacts of the adaptive method are found on its series, all others on the parabola of a tick. */
-    private static Stepper stepperOf(WorldSpec spec, Forces forces, Team team) {
+    private static Stepper stepperOf(WorldSpec spec, Forces forces, Team team, Workspace workspace) {
         if (spec.contactMode() == ContactMode.EXACT && spec.integration() == Integration.ADAPTIVE) {
             double restitution = spec.restitution().orElseThrow();
             return new EventStepper(seriesOf(spec), restitution, spec.boundary(), spec.dt());
         }
         return new TickStepper(
-                integratorOf(spec), forces, spec.restitution(), spec.contactMode(), spec.boundary(), spec.dt(), team);
+                integratorOf(spec),
+                forces,
+                spec.restitution(),
+                spec.contactMode(),
+                spec.boundary(),
+                spec.dt(),
+                team,
+                workspace);
     }
 
     private static Integrator integratorOf(WorldSpec spec) {

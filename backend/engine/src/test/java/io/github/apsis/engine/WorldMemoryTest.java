@@ -15,6 +15,8 @@ import java.util.IdentityHashMap;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class WorldMemoryTest {
     private static final int MANY = 10_000;
@@ -28,7 +30,7 @@ class WorldMemoryTest {
                 .contacts(1)
                 .walls(Aabb.centred(half, half), 1)
                 .build());
-        fill(gas, half - 4, 2, 60);
+        fill(gas, MANY, half - 4, 2, 60);
 
         assertThat(bytesPerBody(gas)).isLessThan(BYTES_PER_BODY);
     }
@@ -37,15 +39,42 @@ class WorldMemoryTest {
     void a_body_that_attracts_by_a_tree_takes_no_more_than_200_bytes() {
         World cluster =
                 new World(WorldSpec.builder().gravity(1).softening(1).tree(0.7).build());
-        fill(cluster, 1000, 1, 1);
+        fill(cluster, MANY, 1000, 1, 1);
 
         assertThat(bytesPerBody(cluster)).isLessThan(BYTES_PER_BODY);
     }
 
-    private static void fill(World world, double half, double radius, double speed) {
+    @Test
+    void a_body_that_attracts_every_other_directly_and_collides_takes_no_more_than_200_bytes() {
+        World cloud = new World(
+                WorldSpec.builder().gravity(1).softening(1).contacts(0.5).build());
+        fill(cloud, MANY, 1000, 1, 1);
+
+        assertThat(bytesPerBody(cloud)).isLessThan(BYTES_PER_BODY);
+    }
+
+    /** A quarter of the plane is covered, and 60 is three times the speed at which it would fly apart. */
+    @ParameterizedTest
+    @ValueSource(ints = {10_000})
+    void a_body_that_attracts_by_a_tree_and_collides_takes_no_more_than_200_bytes(int bodies) {
+        World cloud = new World(WorldSpec.builder()
+                .gravity(1)
+                .softening(1)
+                .tree(0.7)
+                .contacts(1)
+                .build());
+        fill(cloud, bodies, 3 * Math.sqrt(bodies), 1, 60);
+        int[] bounces = new int[1];
+        cloud.onBounce((time, first, second, closingSpeed, impulse) -> bounces[0]++);
+
+        assertThat(bytesPerBody(cloud)).isLessThan(BYTES_PER_BODY);
+        assertThat(bounces[0]).as("it has contacts").isGreaterThan(bodies / 10);
+    }
+
+    private static void fill(World world, int bodies, double half, double radius, double speed) {
         var rng = new Rng(7);
-        int columns = 100;
-        for (int i = 0; i < MANY; i++) {
+        int columns = (int) Math.ceil(Math.sqrt(bodies));
+        for (int i = 0; i < bodies; i++) {
             double x = half * (2 * (i % columns + 0.5) / columns - 1);
             double y = half * (2 * (i / columns + 0.5) / columns - 1);
             world.add(BodyDef.planet(x, y, 1, radius).moving(rng.between(-speed, speed), rng.between(-speed, speed)));
@@ -56,7 +85,7 @@ class WorldMemoryTest {
         for (int tick = 0; tick < TICKS; tick++) {
             world.step();
         }
-        return (double) bytes(world) / MANY;
+        return (double) bytes(world) / world.count();
     }
 
     /** Of all arrays that can be reached; the objects that hold them are some dozens. */

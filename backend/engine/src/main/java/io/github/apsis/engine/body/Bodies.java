@@ -26,6 +26,7 @@ public final class Bodies {
     private static final double FAR = 1e10;
 
     private static final BodyKind[] KINDS = BodyKind.values();
+    private static final int FIXED = 0x40; // of a byte whose other bits are a kind
     private static final double[] NONE = new double[0];
 
     private int count;
@@ -39,7 +40,7 @@ public final class Bodies {
     private double outsideMoment; // about the origin, mass · length² / time²
 
     private long[] id = new long[16];
-    private byte[] kind = new byte[16]; // its ordinal
+    private byte[] kind = new byte[16]; // its ordinal, and FIXED where the body is
     private double[] x = new double[16];
     private double[] y = new double[16];
     private double[] vx = new double[16];
@@ -47,14 +48,13 @@ public final class Bodies {
     private double[] ax = new double[16];
     private double[] ay = new double[16];
     private double[] mass = new double[16];
-    private double[] inverseMass = new double[16];
     private double[] radius = new double[16];
 
-    // What a position and a velocity have below their last bit. Nothing while that is 0 for all: most integrators carry
-    // none on,
-    // and a drift does only where a body is far from the origin, or next to at rest.
-    private double[] xLow = NONE;
-    private double[] yLow = NONE;
+    // What a position has below its last bit: most integrators carry none on, and a drift does only where a body is far
+    // from the origin, or next to at rest.
+    private final LowParts low = new LowParts();
+
+    // The same of velocities. Nothing while that is 0 for all.
     private double[] vxLow = NONE;
     private double[] vyLow = NONE;
 
@@ -67,7 +67,7 @@ public final class Bodies {
         }
         int i = count++;
         id[i] = ++lastId;
-        kind[i] = (byte) def.kind().ordinal();
+        kind[i] = (byte) (def.kind().ordinal() | (def.mobility() == Mobility.FIXED ? FIXED : 0));
         x[i] = def.x();
         y[i] = def.y();
         vx[i] = def.vx();
@@ -75,9 +75,12 @@ public final class Bodies {
         ax[i] = 0;
         ay[i] = 0;
         mass[i] = def.mass();
-        inverseMass[i] = def.mobility() == Mobility.FIXED ? 0 : Math.min(1 / def.mass(), MASSLESS);
         radius[i] = def.radius();
-        clearLow(i);
+        low.clear(i);
+        if (vxLow.length > 0) {
+            vxLow[i] = 0;
+            vyLow[i] = 0;
+        }
         ShipLimits limits = def.limits();
         if (limits != null) {
             ships.add(i, id.length, limits, def.vx(), def.vy());
@@ -85,21 +88,6 @@ public final class Bodies {
         accelerationsCurrent = false;
         revision++;
         return i;
-    }
-
-    private void clearLow(int i) {
-        clearPositionLow(i);
-        if (vxLow.length > 0) {
-            vxLow[i] = 0;
-            vyLow[i] = 0;
-        }
-    }
-
-    private void clearPositionLow(int i) {
-        if (xLow.length > 0) {
-            xLow[i] = 0;
-            yLow[i] = 0;
-        }
     }
 
     /** Removes the body in slot {@code i}; those behind it move up by one, so the order of loops stays. */
@@ -110,10 +98,10 @@ public final class Bodies {
         for (double[] column : columns()) {
             System.arraycopy(column, i + 1, column, i, behind);
         }
-        for (double[] column : lowColumns()) {
-            if (column.length > 0) {
-                System.arraycopy(column, i + 1, column, i, behind);
-            }
+        low.remove(i, count);
+        if (vxLow.length > 0) {
+            System.arraycopy(vxLow, i + 1, vxLow, i, behind);
+            System.arraycopy(vyLow, i + 1, vyLow, i, behind);
         }
         ships.remove(i, count);
         accelerationsCurrent = false;
@@ -127,11 +115,7 @@ public final class Bodies {
     }
 
     private double[][] columns() {
-        return new double[][] {x, y, vx, vy, ax, ay, mass, inverseMass, radius};
-    }
-
-    private double[][] lowColumns() {
-        return new double[][] {xLow, yLow, vxLow, vyLow};
+        return new double[][] {x, y, vx, vy, ax, ay, mass, radius};
     }
 
     private void grow(int capacity) {
@@ -144,24 +128,13 @@ public final class Bodies {
         ax = Arrays.copyOf(ax, capacity);
         ay = Arrays.copyOf(ay, capacity);
         mass = Arrays.copyOf(mass, capacity);
-        inverseMass = Arrays.copyOf(inverseMass, capacity);
         radius = Arrays.copyOf(radius, capacity);
-        if (xLow.length > 0) {
-            xLow = Arrays.copyOf(xLow, capacity);
-            yLow = Arrays.copyOf(yLow, capacity);
-        }
+        low.grow(capacity);
         if (vxLow.length > 0) {
             vxLow = Arrays.copyOf(vxLow, capacity);
             vyLow = Arrays.copyOf(vyLow, capacity);
         }
         ships.reserve(capacity);
-    }
-
-    private void carryPositions() {
-        if (xLow.length == 0) {
-            xLow = new double[id.length];
-            yLow = new double[id.length];
-        }
     }
 
     private void carryVelocities() {
@@ -190,7 +163,7 @@ public final class Bodies {
     }
 
     public BodyKind kind(int i) {
-        return KINDS[kind[i]];
+        return KINDS[kind[i] & ~FIXED];
     }
 
     public double x(int i) {
@@ -211,11 +184,11 @@ public final class Bodies {
 
     /** What {@link #x} has lost to rounding: the true position is their sum. 0 unless the integrator carries it on. */
     public double xLow(int i) {
-        return xLow.length == 0 ? 0 : xLow[i];
+        return low.x(i);
     }
 
     public double yLow(int i) {
-        return xLow.length == 0 ? 0 : yLow[i];
+        return low.y(i);
     }
 
     public double vxLow(int i) {
@@ -241,11 +214,11 @@ public final class Bodies {
 
     /** 1 / mass; 0 for a fixed body, and 1e150 for one without mass or with next to none. */
     public double inverseMass(int i) {
-        return inverseMass[i];
+        return isFixed(i) ? 0 : Math.min(1 / mass[i], MASSLESS);
     }
 
     public boolean isFixed(int i) {
-        return inverseMass[i] == 0;
+        return (kind[i] & FIXED) != 0;
     }
 
     public double radius(int i) {
@@ -258,7 +231,7 @@ public final class Bodies {
     public void moveTo(int i, double newX, double newY) {
         x[i] = newX;
         y[i] = newY;
-        clearPositionLow(i);
+        low.clear(i);
         accelerationsCurrent = false;
         revision++;
     }
@@ -295,11 +268,12 @@ public final class Bodies {
         x[i] = newX;
         y[i] = newY;
         if (newXLow != 0 || newYLow != 0) {
-            carryPositions();
+            low.makeColumn(id.length);
         }
-        if (xLow.length > 0) {
-            xLow[i] = newXLow;
-            yLow[i] = newYLow;
+        if (low.isColumn()) {
+            low.set(i, newXLow, newYLow);
+        } else {
+            low.clear(i);
         }
         accelerationsCurrent = false;
     }
@@ -335,53 +309,62 @@ public final class Bodies {
      * speed, the next step makes up for it (Kahan 1965, Comm. ACM 8, 40): otherwise a body stands still, and falls without moving.
      */
     public void drift(double h) {
-        int first = xLow.length == 0 ? driftWithoutLow(h) : 0;
-        if (first < count) {
-            carryPositions();
-        }
-        for (int i = first; i < count; i++) {
-            double stepX = vx[i] * h + xLow[i];
-            double stepY = vy[i] * h + yLow[i];
-            double newX = x[i] + stepX;
-            double newY = y[i] + stepY;
-            xLow[i] = lost(x[i], stepX, newX);
-            yLow[i] = lost(y[i], stepY, newY);
-            x[i] = newX;
-            y[i] = newY;
+        if (low.isColumn()) {
+            for (int i = 0; i < count; i++) {
+                drift(i, vx[i] * h + low.x(i), vy[i] * h + low.y(i));
+            }
+        } else {
+            driftFewLow(h);
         }
         accelerationsCurrent = false;
     }
 
-    /** Drifts while nothing is lost, and returns the first slot that has not drifted. */
-    private int driftWithoutLow(double h) {
+    private void drift(int i, double stepX, double stepY) {
+        double newX = x[i] + stepX;
+        double newY = y[i] + stepY;
+        low.set(i, lost(x[i], stepX, newX), lost(y[i], stepY, newY));
+        x[i] = newX;
+        y[i] = newY;
+    }
+
+    private void driftFewLow(double h) {
+        int listed = 0;
+        int nextListed = low.slotAt(listed);
         for (int i = 0; i < count; i++) {
             double stepX = vx[i] * h;
             double stepY = vy[i] * h;
+            if (i == nextListed) {
+                stepX += low.listedX(listed);
+                stepY += low.listedY(listed);
+                nextListed = low.slotAt(++listed);
+            }
             double newX = x[i] + stepX;
             double newY = y[i] + stepY;
-            if (lost(x[i], stepX, newX) != 0 || lost(y[i], stepY, newY) != 0) {
-                return i;
+            double lostX = lost(x[i], stepX, newX);
+            double lostY = lost(y[i], stepY, newY);
+            if (lostX != 0 || lostY != 0) {
+                low.note(i, lostX, lostY);
             }
             x[i] = newX;
             y[i] = newY;
         }
-        return count;
+        low.turn(count, id.length);
     }
 
     /** {@link #drift} that carries on what each sum loses to rounding (Kahan 1965, Comm. ACM 8, 40; Knuth's two-sum). */
     public void driftCompensated(double h) {
-        carryPositions();
+        low.makeColumn(id.length);
         carryVelocities();
         for (int i = 0; i < count; i++) {
-            double step = vx[i] * h + (xLow[i] + vxLow[i] * h);
+            double step = vx[i] * h + (low.x(i) + vxLow[i] * h);
             double sum = x[i] + step;
             double taken = sum - x[i];
-            xLow[i] = (x[i] - (sum - taken)) + (step - taken);
+            double lowX = (x[i] - (sum - taken)) + (step - taken);
             x[i] = sum;
-            step = vy[i] * h + (yLow[i] + vyLow[i] * h);
+            step = vy[i] * h + (low.y(i) + vyLow[i] * h);
             sum = y[i] + step;
             taken = sum - y[i];
-            yLow[i] = (y[i] - (sum - taken)) + (step - taken);
+            low.set(i, lowX, (y[i] - (sum - taken)) + (step - taken));
             y[i] = sum;
         }
         accelerationsCurrent = false;
@@ -434,8 +417,8 @@ public final class Bodies {
     }
 
     private void kickByThrust(int i, double h) {
-        double dvx = ships.thrustX(i) * inverseMass[i] * h;
-        double dvy = ships.thrustY(i) * inverseMass[i] * h;
+        double dvx = ships.thrustX(i) * inverseMass(i) * h;
+        double dvy = ships.thrustY(i) * inverseMass(i) * h;
         // Of the whole kick's work m Δv · (v before + v after) / 2 this is the part of the thrust.
         double meanVx = vx[i] + 0.5 * (dvx - ax[i] * h);
         double meanVy = vy[i] + 0.5 * (dvy - ay[i] * h);
@@ -470,7 +453,7 @@ public final class Bodies {
     /** Fixed bodies attract and are held against what attracts them: called when all laws have spoken. */
     public void completeAccelerations() {
         for (int i = 0; i < count; i++) {
-            if (inverseMass[i] == 0) {
+            if (isFixed(i)) {
                 addOutside(i, -mass[i]); // what holds a fixed body against the others pushes on the world
                 ax[i] = 0;
                 ay[i] = 0;
@@ -554,7 +537,7 @@ public final class Bodies {
     }
 
     public boolean isShip(int i) {
-        return KINDS[kind[i]] == BodyKind.SHIP;
+        return kind(i) == BodyKind.SHIP;
     }
 
     public double maxSpeed(int i) {
@@ -576,11 +559,11 @@ public final class Bodies {
 
     /** The acceleration by a ship's engine. Where there are no ships it is asked for of every body, and nothing is read. */
     public double thrustAccelerationX(int i) {
-        return ships.slots().length == 0 ? 0 : ships.thrustX(i) * inverseMass[i];
+        return ships.slots().length == 0 ? 0 : ships.thrustX(i) * inverseMass(i);
     }
 
     public double thrustAccelerationY(int i) {
-        return ships.slots().length == 0 ? 0 : ships.thrustY(i) * inverseMass[i];
+        return ships.slots().length == 0 ? 0 : ships.thrustY(i) * inverseMass(i);
     }
 
     public void setThrust(int i, double forceX, double forceY) {
@@ -670,19 +653,24 @@ public final class Bodies {
         long hash = StateHash.EMPTY;
         for (int i = 0; i < count; i++) {
             hash = StateHash.fold(hash, id[i]);
-            hash = StateHash.fold(hash, kind[i]);
+            hash = StateHash.fold(hash, kind(i).ordinal());
         }
         for (double[] column : columns()) {
+            if (column == radius) {
+                for (int i = 0; i < count; i++) {
+                    hash = StateHash.fold(hash, inverseMass(i)); // tells what is fixed
+                }
+            }
             for (int i = 0; i < count; i++) {
                 hash = StateHash.fold(hash, column[i]);
             }
         }
-        for (double[] column : lowColumns()) {
-            for (int i = 0; i < column.length && i < count; i++) {
-                if (column[i] != 0) { // most integrators carry none
-                    hash = StateHash.fold(StateHash.fold(hash, i), column[i]);
-                }
-            }
+        hash = low.hash(hash, count);
+        for (int i = 0; i < vxLow.length && i < count; i++) {
+            hash = LowParts.fold(hash, i, vxLow[i]);
+        }
+        for (int i = 0; i < vyLow.length && i < count; i++) {
+            hash = LowParts.fold(hash, i, vyLow[i]);
         }
         return ships.hash(hash);
     }

@@ -4,6 +4,7 @@ import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.parallel.Team;
 import io.github.apsis.engine.spatial.CircleGrid;
+import io.github.apsis.engine.spatial.Workspace;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,8 +23,8 @@ final class BroadPhase {
 
     private double mostAcceleration;
 
-    BroadPhase(@Nullable Period period, Team team) {
-        grid = new CircleGrid(period, team);
+    BroadPhase(@Nullable Period period, Team team, Workspace workspace) {
+        grid = new CircleGrid(period, team, workspace);
     }
 
     /** Sorts the paths of all bodies. */

@@ -3,6 +3,7 @@ package io.github.apsis.engine.collision;
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.parallel.Team;
+import io.github.apsis.engine.spatial.Workspace;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 
@@ -28,12 +29,14 @@ public final class ContactSolver {
      * @param restitution between bodies; empty when they do not collide with each other
      * @param boundary whose walls, if it has any, are hit as well
      * @param team that looks for who may meet
+     * @param workspace whose columns {@link #resolve} uses
      */
-    public ContactSolver(OptionalDouble restitution, Boundary boundary, ContactMode mode, Team team) {
+    public ContactSolver(
+            OptionalDouble restitution, Boundary boundary, ContactMode mode, Team team, Workspace workspace) {
         var walls = WallSet.of(boundary);
         double wallRestitution = Boundary.wallRestitution(boundary);
         var period = boundary instanceof Boundary.Periodic p ? new Period(p.box()) : null;
-        var broadPhase = restitution.isPresent() ? new BroadPhase(period, team) : null;
+        var broadPhase = restitution.isPresent() ? new BroadPhase(period, team, workspace) : null;
         var approach = new Approach(paths, new ContactGeometry(walls, period), touching, mode);
         impacts = new Impacts(
                 restitution.orElse(0), wallRestitution, broadPhase, walls, period, paths, approach, touching, mode);

@@ -18,10 +18,13 @@ final class Paths {
     private double dt;
     private double[] startX = new double[16];
     private double[] startY = new double[16];
+    private int[] bend = new int[16]; // place in the list of bent paths + 1, 0 for a path that begins with the tick
+
+    // The paths that have been bent in this tick.
+    private int bentCount;
+    private int[] bent = new int[16]; // their bodies
     private double[] startTime = new double[16];
     private int[] impacts = new int[16];
-    private int[] bent = new int[16]; // the bodies whose paths have been bent in this tick
-    private int bentCount;
 
     /** Remembers where every body stands, before it moves. */
     void begin(Bodies bodies, double tick) {
@@ -31,8 +34,7 @@ final class Paths {
             int capacity = Math.max(count, startX.length + startX.length / 8);
             startX = new double[capacity];
             startY = new double[capacity];
-            startTime = new double[capacity];
-            impacts = new int[capacity];
+            bend = new int[capacity];
         } else {
             straighten();
         }
@@ -42,8 +44,7 @@ final class Paths {
 
     private void straighten() {
         for (int k = 0; k < bentCount; k++) {
-            startTime[bent[k]] = 0;
-            impacts[bent[k]] = 0;
+            bend[bent[k]] = 0;
         }
     }
 
@@ -60,7 +61,7 @@ final class Paths {
     }
 
     double startTime(int i) {
-        return startTime[i];
+        return bend[i] == 0 ? 0 : startTime[bend[i] - 1];
     }
 
     /** How many paths have been bent in this tick. */
@@ -75,7 +76,7 @@ final class Paths {
 
     /** How often the path has been bent in this tick, never for a wall; tells whether a prediction is out of date. */
     int impacts(int i) {
-        return i < 0 ? 0 : impacts[i];
+        return i < 0 || bend[i] == 0 ? 0 : impacts[bend[i] - 1];
     }
 
     /** The larger of two. */
@@ -106,16 +107,16 @@ final class Paths {
 
     /** A bound on the distance of the path from its chord: a T²/8. */
     double bulge(Bodies bodies, int i) {
-        double length = dt - startTime[i];
+        double length = dt - startTime(i);
         return (Math.abs(accelerationX(bodies, i)) + Math.abs(accelerationY(bodies, i))) * length * length / 8;
     }
 
     double xAt(Bodies bodies, int i, double t) {
-        return at(startX[i], bodies.x(i), startTime[i], accelerationX(bodies, i), t);
+        return at(startX[i], bodies.x(i), startTime(i), accelerationX(bodies, i), t);
     }
 
     double yAt(Bodies bodies, int i, double t) {
-        return at(startY[i], bodies.y(i), startTime[i], accelerationY(bodies, i), t);
+        return at(startY[i], bodies.y(i), startTime(i), accelerationY(bodies, i), t);
     }
 
     private double at(double start, double end, double from, double acceleration, double t) {
@@ -140,12 +141,21 @@ final class Paths {
         bodies.shift(i, dvx * (dt - t), dvy * (dt - t));
         startX[i] = x;
         startY[i] = y;
-        startTime[i] = t;
-        if (impacts[i]++ == 0) {
-            if (bentCount == bent.length) {
-                bent = Arrays.copyOf(bent, 2 * bentCount);
-            }
-            bent[bentCount++] = i;
+        if (bend[i] == 0) {
+            list(i);
         }
+        startTime[bend[i] - 1] = t;
+        impacts[bend[i] - 1]++;
+    }
+
+    private void list(int i) {
+        if (bentCount == bent.length) {
+            bent = Arrays.copyOf(bent, 2 * bentCount);
+            startTime = Arrays.copyOf(startTime, 2 * bentCount);
+            impacts = Arrays.copyOf(impacts, 2 * bentCount);
+        }
+        impacts[bentCount] = 0;
+        bent[bentCount++] = i;
+        bend[i] = bentCount;
     }
 }

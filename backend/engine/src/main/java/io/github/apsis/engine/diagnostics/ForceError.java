@@ -20,15 +20,12 @@ public record ForceError(double median, double ninetieth, double worst) {
             copy.add(BodyDef.planet(bodies.x(i), bodies.y(i), bodies.mass(i), 0));
         }
         gravity.apply(copy);
-        double[] ax = new double[copy.count()];
-        double[] ay = new double[copy.count()];
-        for (int i = 0; i < copy.count(); i++) {
-            ax[i] = copy.ax(i);
-            ay[i] = copy.ay(i);
-        }
         var sample = new GravitySample(g, softening);
         sample.take(copy);
-        sample.compare(ax, ay);
+        for (int i = 0; i < copy.count(); i++) {
+            sample.accelerate(i, copy.ax(i), copy.ay(i));
+        }
+        sample.compare();
         return new ForceError(sample.error(0.5), sample.error(0.9), sample.error(1));
     }
 }

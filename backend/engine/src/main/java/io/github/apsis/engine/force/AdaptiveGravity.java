@@ -3,6 +3,7 @@ package io.github.apsis.engine.force;
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.force.GravitySolver.Method;
 import io.github.apsis.engine.parallel.Team;
+import io.github.apsis.engine.spatial.Workspace;
 import java.util.OptionalDouble;
 
 /**
@@ -27,8 +28,6 @@ public final class AdaptiveGravity implements ForceLaw {
     private final TreeGravity tree;
     private final GravitySample sample;
 
-    private double[] ax = new double[16];
-    private double[] ay = new double[16];
     private int rung = FIRST_RUNG;
     private boolean useTree = true;
     private double sampledError = Double.NaN; // of the tree at this rung
@@ -42,17 +41,17 @@ public final class AdaptiveGravity implements ForceLaw {
      * @param allowedError above 0, below 1
      */
     public AdaptiveGravity(double g, double softening, double allowedError) {
-        this(g, softening, allowedError, Team.ofOne());
+        this(g, softening, allowedError, Team.ofOne(), new Workspace());
     }
 
     /** Gravity with this relative error, worked out by a team where there is enough of it. */
-    public AdaptiveGravity(double g, double softening, double allowedError, Team team) {
+    public AdaptiveGravity(double g, double softening, double allowedError, Team team, Workspace workspace) {
         if (!(allowedError > 0 && allowedError < 1)) {
             throw new IllegalArgumentException("a force error must be above 0 and below 1, was " + allowedError);
         }
         this.allowedError = allowedError;
-        this.direct = new DirectGravity(g, softening, team);
-        this.tree = new TreeGravity(g, softening, LADDER[FIRST_RUNG], team);
+        this.direct = new DirectGravity(g, softening, team, workspace);
+        this.tree = new TreeGravity(g, softening, LADDER[FIRST_RUNG], team, workspace);
         this.sample = new GravitySample(g, softening);
     }
 
@@ -102,10 +101,6 @@ public final class AdaptiveGravity implements ForceLaw {
 
     private void decide(Bodies bodies) {
         countAtLook = bodies.count();
-        if (ax.length < bodies.count()) {
-            ax = new double[2 * bodies.count()];
-            ay = new double[2 * bodies.count()];
-        }
         sample.take(bodies);
         measure(bodies);
         while (sampledError < SLACK * allowedError && rung > 0) {
@@ -125,9 +120,8 @@ public final class AdaptiveGravity implements ForceLaw {
 
     private void measure(Bodies bodies) {
         tree.openAt(LADDER[rung]);
-        tree.compute(bodies);
-        tree.copyAccelerations(ax, ay);
-        sample.compare(ax, ay);
+        tree.compute(bodies, sample);
+        sample.compare();
         sampledError = sample.error(SHARE);
     }
 }

@@ -1,8 +1,5 @@
 package io.github.apsis.engine.force;
 
-import static io.github.apsis.engine.force.CellExpansions.LOCALS;
-import static io.github.apsis.engine.force.CellExpansions.MOMENTS;
-import static io.github.apsis.engine.force.CellExpansions.ORDER;
 import static java.lang.Math.fma;
 
 /**
@@ -19,23 +16,29 @@ import static java.lang.Math.fma;
  * the same order, so that what one gains in momentum the other loses, to rounding. The coefficient of x^a y^b stands at
  * n (n + 1) / 2 + b, n = a + b. Kernels that run per pair and per body are written out; loops took twice the time.
  *
- * <p>Scratch memory of one thread; the coefficients stand in {@link CellExpansions}.
+ * <p>Scratch memory of one thread; the moments stand in a {@link MassTree}, the locals in a {@link CellWalk}.
  */
 final class CellKernels {
+    static final int ORDER = 6;
+
+    /** Coefficients of a cell that pulls; moments have orders below ORDER. */
+    static final int MOMENTS = ORDER * (ORDER + 1) / 2;
+
+    /** Coefficients of what pulls a cell. */
+    static final int LOCALS = (ORDER + 1) * (ORDER + 2) / 2;
+
     private final double softeningSquared; // length²
     private final double[] derivative = new double[LOCALS];
     private final double[] power = new double[MOMENTS]; // X^a Y^b / (a! b!)
     private double[] moment = new double[0];
-    private double[] local = new double[0];
 
     CellKernels(double softening) {
         this.softeningSquared = softening * softening;
     }
 
-    /** Works on these coefficients from now on. */
-    void use(CellExpansions cells) {
-        moment = cells.moment;
-        local = cells.local;
+    /** Works on the moments of these cells from now on. */
+    void use(double[] momentsOfCells) {
+        moment = momentsOfCells;
     }
 
     /** Adds a body at this place relative to the centre of the cell. */
@@ -64,14 +67,14 @@ final class CellKernels {
         }
     }
 
-    /** Lets a cell be pulled by another; (x, y) leads from the centre of the source to its own. */
-    void pull(int target, int source, double x, double y) {
+    /** Lets the cell of a row of locals be pulled by another; (x, y) leads from the centre of the source to its own. */
+    void pull(double[] local, int target, int source, double x, double y) {
         differentiate(x, y);
-        translate(target * LOCALS, source * MOMENTS);
+        translate(local, target * LOCALS, source * MOMENTS);
     }
 
-    /** Hands the pull on a parent down to a child, whose centre lies here relative to that of the parent. */
-    void passDown(int parent, int child, double x, double y) {
+    /** Hands the pull on a parent down to the row of a child, whose centre lies here relative to that of the parent. */
+    void passDown(double[] local, int parent, int child, double x, double y) {
         computePowers(x, y);
         int from = parent * LOCALS;
         int to = child * LOCALS + 1;
@@ -95,7 +98,7 @@ final class CellKernels {
     }
 
     /** Lets all that pulls a cell from afar pull a body at this place relative to its centre. */
-    void passToBody(int cell, PointMasses bodies, int body, double x, double y) {
+    void passToBody(double[] local, int cell, Pulls pulls, int body, double x, double y) {
         computePowers(x, y);
         int at = cell * LOCALS;
         double ax = local[at + 1]
@@ -134,7 +137,7 @@ final class CellKernels {
                         + local[at + 25] * power[18]
                         + local[at + 26] * power[19]
                         + local[at + 27] * power[20]);
-        bodies.accelerate(body, ax, ay);
+        pulls.add(body, ax, ay);
     }
 
     private void computePowers(double x, double y) {
@@ -246,7 +249,7 @@ final class CellKernels {
     }
 
     /** Adds to the local expansion at {@code target} what the moments at {@code source} do. */
-    private void translate(int target, int source) {
+    private void translate(double[] local, int target, int source) {
         double m00 = moment[source];
         double m10 = -moment[source + 1];
         double m01 = -moment[source + 2];

@@ -1,7 +1,10 @@
 package io.github.apsis.engine.force;
 
+import static io.github.apsis.engine.force.CellKernels.LOCALS;
+
 import io.github.apsis.engine.spatial.Quadtree;
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The way down a {@link MassTree}, by one thread: what pulls a cell, then what pulls its children.
@@ -11,6 +14,9 @@ import java.util.Arrays;
  *   a larger one is opened, and a smaller one left to the children of the cell;
  *   what is left to a leaf is leaves, and pulls it body by body
  * </pre>
+ *
+ * <p>What pulls a cell from afar is only known while the walk is at the cell or below: a row of coefficients for every level.
+ * A bough has the row that the walk down the trunk has left to it.
  *
  * <p>Who opens whom depends on the pair and not on who asks, so a pulls b by what b pulls a by: momentum is conserved to
  * rounding, although each end is worked out for itself. Both ends at once would spare a set of derivatives, and write to each
@@ -24,26 +30,35 @@ final class CellWalk {
     private final Quadtree tree;
     private final CellKernels kernels;
     private final NearSources near;
+    private final Giants giants;
+    private final double g; // length³ / (mass · time²)
+    private final Pulls pulls = new Pulls();
 
+    private double[] local = new double[16 * LOCALS]; // by level
+    private double[] boughLocal = new double[0];
+    private @Nullable Pulled to;
     private int[] left = new int[1024]; // sources left to children, level behind level
     private int filled;
     private int[] nearLeaf = new int[64]; // ascending
     private int nearLeaves;
-    private int[] boughFrom = new int[64]; // where the sources of a bough begin and end, for the walk down the trunk
-    private int[] boughTo = new int[64];
+    private int[] boughFrom = new int[0]; // where the sources of a bough begin and end, for the walk down the trunk
+    private int[] boughTo = new int[0];
     private int boughs;
     private long cellPairs; // ordered, since the beginning
     private long bodyPairs;
 
-    CellWalk(MassTree masses, CellKernels kernels, double softening) {
+    CellWalk(MassTree masses, CellKernels kernels, Giants giants, double g, double softening) {
+        this.g = g;
         this.masses = masses;
         this.tree = masses.tree();
         this.kernels = kernels;
+        this.giants = giants;
         this.near = new NearSources(softening);
     }
 
-    /** Forgets what was counted and what was left. */
-    void begin() {
+    /** Forgets what was counted and what was left, and says who wants to know the accelerations. */
+    void begin(Pulled pulled) {
+        to = pulled;
         cellPairs = 0;
         bodyPairs = 0;
         filled = 0;
@@ -62,57 +77,67 @@ final class CellWalk {
     /** Lets everything pull the cells of the trunk, and keeps what is left to the boughs. */
     void pullTrunk() {
         if (boughFrom.length < masses.boughs()) {
-            boughFrom = new int[2 * masses.boughs()];
-            boughTo = new int[2 * masses.boughs()];
+            boughFrom = new int[masses.boughs() + masses.boughs() / 8];
+            boughTo = new int[boughFrom.length];
+            boughLocal = new double[boughFrom.length * LOCALS];
         }
         boughs = 0;
         leave(0);
-        pullTrunk(0, 0, 1);
+        clear(0);
+        pullTrunk(0, 0, 0, 1);
     }
 
-    private void pullTrunk(int cell, int from, int to) {
+    private void pullTrunk(int cell, int level, int from, int to) {
         if (cell == masses.bough(boughs)) {
             boughFrom[boughs] = from;
             boughTo[boughs] = to;
+            System.arraycopy(local, level * LOCALS, boughLocal, boughs * LOCALS, LOCALS);
             boughs++;
             return;
         }
         int begin = filled;
         for (int k = from; k < to; k++) {
-            meet(cell, left[k]);
+            meet(cell, level, left[k]);
         }
         int end = filled;
         for (int child = cell + 1; child < tree.past(cell); child = tree.past(child)) {
-            passDown(cell, child);
-            pullTrunk(child, begin, end);
+            passDown(cell, child, level);
+            pullTrunk(child, level + 1, begin, end);
         }
+    }
+
+    private void clear(int level) {
+        if ((level + 1) * LOCALS > local.length) {
+            local = Arrays.copyOf(local, 2 * local.length);
+        }
+        Arrays.fill(local, level * LOCALS, (level + 1) * LOCALS, 0);
     }
 
     /** Lets everything that the walk down the trunk has left to a bough pull its cells and bodies. */
     void pullBough(int bough, CellWalk trunk) {
-        pull(masses.bough(bough), trunk.left, trunk.boughFrom[bough], trunk.boughTo[bough]);
+        System.arraycopy(trunk.boughLocal, bough * LOCALS, local, 0, LOCALS);
+        pull(masses.bough(bough), 0, trunk.left, trunk.boughFrom[bough], trunk.boughTo[bough]);
     }
 
-    private void pull(int cell, int[] sources, int from, int to) {
+    private void pull(int cell, int level, int[] sources, int from, int to) {
         int begin = filled;
         nearLeaves = 0;
         for (int k = from; k < to; k++) {
-            meet(cell, sources[k]);
+            meet(cell, level, sources[k]);
         }
         if (tree.isLeaf(cell)) {
-            pullNear(cell);
-            passToBodies(cell);
+            pullBodies(cell, level);
             return; // nothing is left
         }
         int end = filled;
         for (int child = cell + 1; child < tree.past(cell); child = tree.past(child)) {
-            passDown(cell, child);
-            pull(child, left, begin, end);
+            passDown(cell, child, level);
+            pull(child, level + 1, left, begin, end);
         }
         filled = begin;
     }
 
-    private void meet(int cell, int source) {
+    private void meet(int cell, int level, int source) {
         if (source == cell) {
             meetItself(cell);
             return;
@@ -125,11 +150,11 @@ final class CellWalk {
         if (leaves && (!apart || tree.size(cell) * tree.size(source) <= FEW_PAIRS)) {
             keepNear(cell, source);
         } else if (apart) {
-            kernels.pull(cell, source, dx, dy);
+            kernels.pull(local, level, source, dx, dy);
             cellPairs++;
         } else if (isOpened(source, cell)) {
             for (int child = source + 1; child < tree.past(source); child = tree.past(child)) {
-                meet(cell, child);
+                meet(cell, level, child);
             }
         } else {
             leave(source);
@@ -170,6 +195,18 @@ final class CellWalk {
         bodyPairs += (long) tree.size(leaf) * tree.size(source);
     }
 
+    private void pullBodies(int leaf, int level) {
+        int start = tree.first(leaf);
+        int stop = tree.end(leaf);
+        pulls.begin(start, stop);
+        pullNear(leaf);
+        passToBodies(leaf, level);
+        giants.pull(masses.masses(), tree, start, stop, pulls);
+        for (int k = start; to != null && k < stop; k++) {
+            to.accelerate(tree.item(k), g * pulls.x(k), g * pulls.y(k));
+        }
+    }
+
     private void pullNear(int leaf) {
         near.clear();
         int k = 0;
@@ -182,28 +219,30 @@ final class CellWalk {
             near.add(masses.masses(), start, stop);
         }
         if (masses.isOrdinary()) {
-            near.pull(masses.masses(), tree.first(leaf), tree.end(leaf));
+            near.pull(masses.masses(), tree.first(leaf), tree.end(leaf), pulls);
         } else {
-            near.pullWithCare(masses.masses(), tree.first(leaf), tree.end(leaf));
+            near.pullWithCare(masses.masses(), tree.first(leaf), tree.end(leaf), pulls);
         }
     }
 
-    private void passDown(int cell, int child) {
+    private void passDown(int cell, int child, int level) {
+        clear(level + 1);
         if (masses.expands(cell)) {
             kernels.passDown(
-                    cell,
-                    child,
+                    local,
+                    level,
+                    level + 1,
                     masses.centreX(child) - masses.centreX(cell),
                     masses.centreY(child) - masses.centreY(cell));
         }
     }
 
-    private void passToBodies(int leaf) {
+    private void passToBodies(int leaf, int level) {
         if (masses.expands(leaf)) {
             PointMasses bodies = masses.masses();
             for (int k = tree.first(leaf); k < tree.end(leaf); k++) {
                 kernels.passToBody(
-                        leaf, bodies, k, bodies.x[k] - masses.centreX(leaf), bodies.y[k] - masses.centreY(leaf));
+                        local, level, pulls, k, bodies.x[k] - masses.centreX(leaf), bodies.y[k] - masses.centreY(leaf));
             }
         }
     }

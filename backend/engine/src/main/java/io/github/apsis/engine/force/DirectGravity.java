@@ -3,6 +3,7 @@ package io.github.apsis.engine.force;
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.math.CompensatedSum;
 import io.github.apsis.engine.parallel.Team;
+import io.github.apsis.engine.spatial.Workspace;
 import java.util.OptionalDouble;
 
 /**
@@ -24,14 +25,14 @@ public final class DirectGravity implements ForceLaw {
     private final DirectSum sum;
 
     public DirectGravity(double g, double softening) {
-        this(g, softening, Team.ofOne());
+        this(g, softening, Team.ofOne(), new Workspace());
     }
 
     /** Gravity, worked out by a team where there is enough of it. */
-    public DirectGravity(double g, double softening, Team team) {
+    public DirectGravity(double g, double softening, Team team, Workspace workspace) {
         this.g = g;
         this.softeningSquared = softening * softening;
-        this.sum = new DirectSum(g, softening, team);
+        this.sum = new DirectSum(g, softening, team, workspace);
     }
 
     @Override

@@ -5,6 +5,7 @@ import static java.lang.Math.fma;
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.parallel.Team;
 import io.github.apsis.engine.parallel.Work;
+import io.github.apsis.engine.spatial.Workspace;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
@@ -38,26 +39,33 @@ final class DirectSum implements Work {
     private final double softeningSquared; // length²
     private final Team team;
     private final Team alone = Team.ofOne();
-    private final PointMasses masses = new PointMasses();
+    private final Workspace workspace;
+    private final PointMasses masses;
+    private final Pulls[] pulls; // by member of the team
     private double[] sumX = new double[0]; // the part from one tile of sources
     private double[] sumY = new double[0];
     private boolean[] ordinary = new boolean[0]; // by tile of sources
     private @Nullable Bodies bodies; // while at work
 
-    DirectSum(double g, double softening, Team team) {
+    DirectSum(double g, double softening, Team team, Workspace workspace) {
         this.g = g;
         this.softeningSquared = softening * softening;
         this.team = team;
+        this.workspace = workspace;
+        this.masses = new PointMasses(workspace);
+        this.pulls = new Pulls[team.size()];
+        Arrays.setAll(pulls, member -> new Pulls());
     }
 
     /** Adds the pull on every body to its acceleration. */
     void apply(Bodies pulled) {
         int count = pulled.count();
+        workspace.take(this);
         masses.begin(count);
         masses.load(pulled, 0, count);
-        if (sumX.length < count) {
-            sumX = new double[masses.x.length];
-            sumY = new double[masses.x.length];
+        sumX = workspace.doubles(3, count);
+        sumY = workspace.doubles(4, count);
+        if (ordinary.length < tiles(count, SOURCES)) {
             ordinary = new boolean[tiles(sumX.length, SOURCES)];
         }
         for (int tile = 0; tile * SOURCES < count; tile++) {
@@ -79,6 +87,8 @@ final class DirectSum implements Work {
     public void doPiece(int piece, int member) {
         int start = piece * TARGETS;
         int stop = Math.min(start + TARGETS, masses.count());
+        Pulls pull = pulls[member];
+        pull.begin(start, stop);
         for (int tile = 0; tile * SOURCES < masses.count(); tile++) {
             Arrays.fill(sumX, start, stop, 0);
             Arrays.fill(sumY, start, stop, 0);
@@ -90,11 +100,10 @@ final class DirectSum implements Work {
             } else {
                 pullByTileWithCare(start, stop, first, end);
             }
-            add(masses.ax, sumX, start, stop);
-            add(masses.ay, sumY, start, stop);
+            pull.addAll(sumX, sumY, start, stop);
         }
-        if (bodies != null) {
-            masses.giveTo(bodies, g, start, stop);
+        for (int i = start; bodies != null && i < stop; i++) {
+            bodies.accelerate(i, g * pull.x(i), g * pull.y(i));
         }
     }
 
@@ -178,12 +187,6 @@ final class DirectSum implements Work {
                     sumY[j] = fma(masses.mass[i], w * dy, sumY[j]);
                 }
             }
-        }
-    }
-
-    private static void add(double[] sum, double[] part, int start, int stop) {
-        for (int j = start; j < stop; j++) {
-            sum[j] += part[j];
         }
     }
 }

@@ -79,22 +79,21 @@ final class Giants {
     }
 
     /** Adds their pull to that of the tree, for a run of bodies. */
-    void pull(PointMasses bodies, Quadtree tree, int start, int stop) {
+    void pull(PointMasses bodies, Quadtree tree, int start, int stop, Pulls pulls) {
         for (int g = 0; g < count; g++) {
             for (int k = start; k < stop; k++) {
                 double dx = x[g] - bodies.x[k];
                 double dy = y[g] - bodies.y[k];
                 double w = inverseCube(dx, dy);
                 if (w > 0) {
-                    bodies.accelerate(k, mass[g] * (w * dx), mass[g] * (w * dy));
+                    pulls.add(k, mass[g] * (w * dx), mass[g] * (w * dy));
                 }
             }
         }
         for (int k = start; k < stop && count > 0; k++) {
             for (int g = 0; g < count; g++) {
                 if (tree.item(k) == slot[g]) {
-                    bodies.ax[k] = ax[g];
-                    bodies.ay[k] = ay[g];
+                    pulls.set(k, ax[g], ay[g]);
                 }
             }
         }

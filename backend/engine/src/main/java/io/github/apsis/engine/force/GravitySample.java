@@ -1,6 +1,7 @@
 package io.github.apsis.engine.force;
 
 import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.spatial.Workspace;
 import java.util.Arrays;
 
 /**
@@ -9,17 +10,20 @@ import java.util.Arrays;
  * <p>The measure is |Δa| / |a| body by body. Where pulls nearly cancel it grows without bound, so its largest value says
  * little; what is kept is the bound that nine of ten bodies meet.
  */
-public final class GravitySample {
+public final class GravitySample implements Pulled {
     private static final int SIZE = 64;
     private static final int TILE = 1024; // sources whose columns stay in the first cache
 
     private final double g;
     private final NearSources sources;
-    private final PointMasses tile = new PointMasses();
-    private final PointMasses sample = new PointMasses();
+    private final PointMasses tile = new PointMasses(new Workspace());
+    private final PointMasses sample = new PointMasses(new Workspace());
+    private final Pulls pulls = new Pulls();
     private final int[] slot = new int[SIZE];
     private final double[] trueAx = new double[SIZE];
     private final double[] trueAy = new double[SIZE];
+    private final double[] solverAx = new double[SIZE];
+    private final double[] solverAy = new double[SIZE];
     private final double[] error = new double[SIZE];
     private int size;
 
@@ -37,12 +41,13 @@ public final class GravitySample {
             slot[k] = (int) ((long) k * bodies.count() / size);
             sample.load(k, bodies, slot[k]);
         }
+        pulls.begin(0, size);
         for (int start = 0; start < bodies.count(); start += TILE) {
             addTile(bodies, start, Math.min(start + TILE, bodies.count()));
         }
         for (int k = 0; k < size; k++) {
-            trueAx[k] = g * sample.ax[k];
-            trueAy[k] = g * sample.ay[k];
+            trueAx[k] = g * pulls.x(k);
+            trueAy[k] = g * pulls.y(k);
         }
     }
 
@@ -53,17 +58,27 @@ public final class GravitySample {
         sources.clear();
         sources.add(tile, 0, stop - start);
         if (NearSources.areOrdinary(tile, 0, stop - start) && NearSources.areOrdinary(sample, 0, size)) {
-            sources.pull(sample, 0, size);
+            sources.pull(sample, 0, size, pulls);
         } else {
-            sources.pullWithCare(sample, 0, size);
+            sources.pullWithCare(sample, 0, size, pulls);
         }
     }
 
-    /** Compares accelerations by slot with the truth; {@link #error} tells the result. */
-    public void compare(double[] solverAx, double[] solverAy) {
+    /** Takes what a solver makes of the pull on a body; {@link #compare} looks at those of the sample. */
+    @Override
+    public void accelerate(int i, double ax, double ay) {
+        int k = Arrays.binarySearch(slot, 0, size, i);
+        if (k >= 0) {
+            solverAx[k] = ax;
+            solverAy[k] = ay;
+        }
+    }
+
+    /** Compares what a solver has said with the truth; {@link #error} tells the result. */
+    public void compare() {
         for (int k = 0; k < size; k++) {
-            double offX = solverAx[slot[k]] - trueAx[k];
-            double offY = solverAy[slot[k]] - trueAy[k];
+            double offX = solverAx[k] - trueAx[k];
+            double offY = solverAy[k] - trueAy[k];
             double off = offX * offX + offY * offY;
             double truth = trueAx[k] * trueAx[k] + trueAy[k] * trueAy[k];
             error[k] = off == 0 ? 0 : Math.sqrt(off / truth);

@@ -1,9 +1,12 @@
 package io.github.apsis.engine.force;
 
+import static io.github.apsis.engine.force.CellKernels.MOMENTS;
+
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.parallel.Team;
 import io.github.apsis.engine.parallel.Work;
 import io.github.apsis.engine.spatial.Quadtree;
+import io.github.apsis.engine.spatial.Workspace;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
@@ -28,9 +31,9 @@ final class MassTree implements Work {
 
     private final CellKernels[] kernels; // by member of the team
     private final Giants giants;
+    private final Workspace workspace;
     private final Quadtree tree;
-    private final PointMasses masses = new PointMasses();
-    private final CellExpansions cells = new CellExpansions();
+    private final PointMasses masses;
     private double theta;
     private @Nullable Bodies bodies; // while at work
 
@@ -45,8 +48,10 @@ final class MassTree implements Work {
     private boolean[] ordinaryBough = new boolean[64];
     private boolean ordinary; // no coordinate is so small that d³ underflows, or so large that d² overflows
 
-    MassTree(CellKernels[] kernels, Giants giants, Team team) {
-        this.tree = Quadtree.ofPoints(LEAF_SIZE, team);
+    MassTree(CellKernels[] kernels, Giants giants, Team team, Workspace workspace) {
+        this.workspace = workspace;
+        this.tree = Quadtree.ofPoints(LEAF_SIZE, team, workspace);
+        this.masses = new PointMasses(workspace); // in the columns of the points, which the tree no longer needs then
         this.kernels = kernels;
         this.giants = giants;
     }
@@ -82,9 +87,10 @@ final class MassTree implements Work {
     }
 
     private void makeRoom() {
-        cells.begin(tree.nodes());
+        double[] moments = workspace.doubles(3, tree.nodes() * MOMENTS);
+        Arrays.fill(moments, 0, tree.nodes() * MOMENTS, 0);
         for (CellKernels kernel : kernels) {
-            kernel.use(cells);
+            kernel.use(moments);
         }
         if (tree.nodes() > reach.length) {
             int capacity = tree.nodes() + tree.nodes() / 8;

@@ -22,11 +22,11 @@ final class NearSources {
 
     private final double softeningSquared; // length²
     private int count;
-    private double[] x = new double[256];
-    private double[] y = new double[256];
-    private double[] mass = new double[256];
-    private double[] pullX = new double[256];
-    private double[] pullY = new double[256];
+    private double[] x = new double[0];
+    private double[] y = new double[0];
+    private double[] mass = new double[0];
+    private double[] pullX = new double[0];
+    private double[] pullY = new double[0];
 
     NearSources(double softening) {
         this.softeningSquared = softening * softening;
@@ -63,11 +63,11 @@ final class NearSources {
     }
 
     /** Lets all sources pull a run of masses, which may be among them; their coordinates are ordinary. */
-    void pull(PointMasses targets, int start, int stop) {
+    void pull(PointMasses targets, int start, int stop, Pulls pulls) {
         double e2 = Math.max(softeningSquared, FLOOR);
         for (int j = start; j < stop; j++) {
             computePulls(x, y, mass, pullX, pullY, count, targets.x[j], targets.y[j], e2);
-            addSums(targets, j);
+            addSums(pulls, j);
         }
     }
 
@@ -92,7 +92,7 @@ final class NearSources {
     }
 
     /** Sums that do not wait for each other. */
-    private void addSums(PointMasses targets, int j) {
+    private void addSums(Pulls pulls, int j) {
         double x0 = 0;
         double x1 = 0;
         double x2 = 0;
@@ -116,11 +116,11 @@ final class NearSources {
             x0 += pullX[k];
             y0 += pullY[k];
         }
-        targets.accelerate(j, (x0 + x1) + (x2 + x3), (y0 + y1) + (y2 + y3));
+        pulls.add(j, (x0 + x1) + (x2 + x3), (y0 + y1) + (y2 + y3));
     }
 
     /** The same, without pairs whose distance has no cube: coincident, where a pull has no direction, or beyond 1e102. */
-    void pullWithCare(PointMasses targets, int start, int stop) {
+    void pullWithCare(PointMasses targets, int start, int stop, Pulls pulls) {
         for (int j = start; j < stop; j++) {
             for (int k = 0; k < count; k++) {
                 double dx = x[k] - targets.x[j];
@@ -132,7 +132,7 @@ final class NearSources {
                 pullX[k] = w == 0 ? 0 : mass[k] * (w * dx);
                 pullY[k] = w == 0 ? 0 : mass[k] * (w * dy);
             }
-            addSums(targets, j);
+            addSums(pulls, j);
         }
     }
 }

@@ -2,34 +2,36 @@ package io.github.apsis.engine.force;
 
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.spatial.Quadtree;
+import io.github.apsis.engine.spatial.Workspace;
 
-/** Masses in contiguous columns, and what pulls them: what the loops of a gravity solver read and write. */
+/** Masses in contiguous columns: what the loops of a gravity solver read. */
 final class PointMasses {
+    private static final double[] NONE = new double[0];
+
+    private final Workspace workspace;
     private int count;
-    double[] x = new double[16];
-    double[] y = new double[16];
-    double[] mass = new double[16];
-    double[] ax = new double[16]; // acceleration / G
-    double[] ay = new double[16];
+    double[] x = NONE;
+    double[] y = NONE;
+    double[] mass = NONE;
+
+    /** Masses in the first three columns of a workspace. */
+    PointMasses(Workspace workspace) {
+        this.workspace = workspace;
+    }
 
     /** Makes room for this many masses. */
     void begin(int masses) {
         count = masses;
-        if (count > x.length) {
-            int capacity = Math.max(count, x.length + x.length / 8);
-            x = new double[capacity];
-            y = new double[capacity];
-            mass = new double[capacity];
-            ax = new double[capacity];
-            ay = new double[capacity];
-        }
+        x = workspace.doubles(0, count);
+        y = workspace.doubles(1, count);
+        mass = workspace.doubles(2, count);
     }
 
     int count() {
         return count;
     }
 
-    /** Copies bodies in the order of their slots, from the start to before the stop; nothing pulls them yet. */
+    /** Copies bodies in the order of their slots, from the start to before the stop. */
     void load(Bodies bodies, int start, int stop) {
         for (int i = start; i < stop; i++) {
             load(i, bodies, i);
@@ -44,13 +46,11 @@ final class PointMasses {
         }
     }
 
-    /** Copies one body, which nothing pulls yet. */
+    /** Copies one body. */
     void load(int k, Bodies bodies, int slot) {
         x[k] = bodies.x(slot);
         y[k] = bodies.y(slot);
         mass[k] = bodies.mass(slot);
-        ax[k] = 0;
-        ay[k] = 0;
     }
 
     /** Whether every coordinate of a run is 0 or between these in size. */
@@ -64,33 +64,5 @@ final class PointMasses {
 
     private static boolean isBetween(double size, double smallest, double largest) {
         return size == 0 || size > smallest && size < largest;
-    }
-
-    /** Adds to acceleration / G. */
-    void accelerate(int k, double dax, double day) {
-        ax[k] += dax;
-        ay[k] += day;
-    }
-
-    /** Hands the accelerations to the bodies in the order of their slots. */
-    void giveTo(Bodies bodies, double g, int start, int stop) {
-        for (int i = start; i < stop; i++) {
-            bodies.accelerate(i, g * ax[i], g * ay[i]);
-        }
-    }
-
-    /** Hands the accelerations to the bodies in the order of the tree. */
-    void giveTo(Bodies bodies, Quadtree tree, double g, int start, int stop) {
-        for (int k = start; k < stop; k++) {
-            bodies.accelerate(tree.item(k), g * ax[k], g * ay[k]);
-        }
-    }
-
-    /** Writes the accelerations by the slots of the bodies. */
-    void copyTo(double[] toX, double[] toY, Quadtree tree, double g) {
-        for (int k = 0; k < count; k++) {
-            toX[tree.item(k)] = g * ax[k];
-            toY[tree.item(k)] = g * ay[k];
-        }
     }
 }

@@ -3,6 +3,7 @@ package io.github.apsis.engine.force;
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.parallel.Team;
 import io.github.apsis.engine.parallel.Work;
+import io.github.apsis.engine.spatial.Workspace;
 import java.util.Arrays;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
@@ -39,18 +40,16 @@ public final class TreeGravity implements ForceLaw {
     private static final double WORK_OF_CELLS = 125;
     private static final double WORK_OF_PAIR = 2.2;
 
-    private final double g; // length³ / (mass · time²)
     private double theta;
     private final DirectGravity exact;
     private final Team team;
     private final Team alone = Team.ofOne();
-    private final Giants giants;
     private final MassTree masses;
     private final CellWalk trunk;
     private final CellWalk[] walks; // by member of the team
     private final Work pulling = this::pullBough;
-    private final Work giving = this::giveToBough;
-    private @Nullable Bodies bodies; // while they are given
+    private final Pulled giving = this::give;
+    private @Nullable Bodies bodies; // that the accelerations are given to
 
     /**
      * Gravity with this opening angle.
@@ -59,25 +58,24 @@ public final class TreeGravity implements ForceLaw {
      * @param theta above 0, where it is the direct sum, and at most 1
      */
     public TreeGravity(double g, double softening, double theta) {
-        this(g, softening, theta, Team.ofOne());
+        this(g, softening, theta, Team.ofOne(), new Workspace());
     }
 
     /** Gravity with this opening angle, worked out by a team. */
-    public TreeGravity(double g, double softening, double theta, Team team) {
+    public TreeGravity(double g, double softening, double theta, Team team, Workspace workspace) {
         if (!(theta > 0 && theta <= 1)) {
             throw new IllegalArgumentException("theta must be above 0 and at most 1, was " + theta);
         }
-        this.g = g;
         this.theta = theta;
         this.team = team;
         this.exact = new DirectGravity(g, softening);
         var kernels = new CellKernels[team.size()];
         Arrays.setAll(kernels, member -> new CellKernels(softening));
-        this.giants = new Giants(softening);
-        this.masses = new MassTree(kernels, giants, team);
-        this.trunk = new CellWalk(masses, kernels[0], softening);
+        var giants = new Giants(softening);
+        this.masses = new MassTree(kernels, giants, team, workspace);
+        this.trunk = new CellWalk(masses, kernels[0], giants, g, softening);
         this.walks = new CellWalk[team.size()];
-        Arrays.setAll(walks, member -> new CellWalk(masses, kernels[member], softening));
+        Arrays.setAll(walks, member -> new CellWalk(masses, kernels[member], giants, g, softening));
     }
 
     /** The opening angle. */
@@ -92,19 +90,18 @@ public final class TreeGravity implements ForceLaw {
 
     @Override
     public void apply(Bodies pulled) {
-        compute(pulled);
         bodies = pulled;
-        teamFor(pulled).share(giving, masses.boughs());
+        compute(pulled, giving);
         bodies = null;
     }
 
-    /** Works the accelerations out and keeps them. */
-    void compute(Bodies pulled) {
+    /** Works the accelerations out and tells them. */
+    void compute(Bodies pulled, Pulled to) {
         Team workers = teamFor(pulled);
         masses.plant(pulled, theta, workers);
-        trunk.begin();
+        trunk.begin(to);
         for (CellWalk walk : walks) {
-            walk.begin();
+            walk.begin(to);
         }
         if (pulled.count() > 0) {
             trunk.pullTrunk();
@@ -119,26 +116,12 @@ public final class TreeGravity implements ForceLaw {
     private void pullBough(int turn, int member) {
         int bough = masses.inTurn(turn);
         walks[member].pullBough(bough, trunk);
-        int cell = masses.bough(bough);
-        giants.pull(
-                masses.masses(),
-                masses.tree(),
-                masses.tree().first(cell),
-                masses.tree().end(cell));
     }
 
-    private void giveToBough(int bough, int member) {
+    private void give(int slot, double ax, double ay) {
         if (bodies != null) {
-            int cell = masses.bough(bough);
-            int start = masses.tree().first(cell);
-            masses.masses()
-                    .giveTo(bodies, masses.tree(), g, start, masses.tree().end(cell));
+            bodies.accelerate(slot, ax, ay);
         }
-    }
-
-    /** The accelerations that were worked out last, by slot. */
-    void copyAccelerations(double[] toX, double[] toY) {
-        masses.masses().copyTo(toX, toY, masses.tree(), g);
     }
 
     /** What the last walk cost, in pairs of the direct sum: counted, so that it is the same on every machine. */

@@ -51,12 +51,13 @@ public final class CircleGrid {
             4; // times the root of all: then sorting anew is cheaper than looking at each
 
     private final @Nullable Period period;
+    private final Workspace workspace;
 
     private int count;
-    private double[] x = new double[16]; // as they were set
-    private double[] y = new double[16];
-    private double[] reach = new double[16];
-    private int[] place = new int[16]; // in the order of the cells; before it is known, level and cell
+    private double[] x = new double[0]; // as they were set
+    private double[] y = new double[0];
+    private double[] reach = new double[0];
+    private int[] place = new int[0]; // in the order of the cells; before it is known, level and cell
 
     private final int[] sampled = new int[2048]; // by exponent
     private final double[] sampledReach = new double[2048];
@@ -71,12 +72,12 @@ public final class CircleGrid {
     final int[] columns = new int[LEVELS];
     final int[] rows = new int[LEVELS];
     final int[] firstCell = new int[LEVELS];
-    int[] start = new int[64]; // by cell: the place of its first circle
+    int[] start = new int[0]; // by cell: the place of its first circle
 
     // By place.
-    int[] circle = new int[16];
-    int[] home = new int[16]; // its cell
-    double[] at = new double[57]; // x, y, radius (NaN of a stray)
+    int[] circle = new int[0];
+    int[] home = new int[0]; // its cell
+    double[] at = new double[0]; // x, y, radius (NaN of a stray)
 
     // Circles that reach farther from their cells than when they were sorted.
     private int strays;
@@ -92,13 +93,17 @@ public final class CircleGrid {
 
     /** A grid over a plane, or over a world that repeats itself: there a circle meets the nearest image of another. */
     public CircleGrid(@Nullable Period period) {
-        this(period, Team.ofOne());
+        this(period, Team.ofOne(), new Workspace());
     }
 
-    /** The same, whose pairs are found by a team where there are many circles. */
-    public CircleGrid(@Nullable Period period, Team team) {
+    /**
+     * The same, in the columns of a workspace, with which what was found is lost; the pairs of many circles are found by a
+     * team.
+     */
+    public CircleGrid(@Nullable Period period, Team team, Workspace workspace) {
         this.period = period;
         this.team = team;
+        this.workspace = workspace;
         this.search = new CellSearch[team.size() > 1 ? SHARES : 1];
         Arrays.setAll(search, share -> new CellSearch(this, period));
     }
@@ -106,16 +111,14 @@ public final class CircleGrid {
     /** Forgets everything and makes room for so many circles. */
     public void begin(int circles) {
         count = circles;
-        if (circles > x.length) {
-            int capacity = Math.max(circles, x.length + x.length / 8);
-            x = new double[capacity];
-            y = new double[capacity];
-            reach = new double[capacity];
-            place = new int[capacity];
-            circle = new int[capacity];
-            home = new int[capacity];
-            at = new double[3 * (capacity + 3)]; // a look at three goes beyond the last
-        }
+        workspace.take(this);
+        x = workspace.doubles(0, circles);
+        y = workspace.doubles(1, circles);
+        reach = workspace.doubles(2, circles);
+        at = workspace.doubles(3, 3 * (circles + 3)); // a look at three goes beyond the last
+        place = workspace.ints(0, circles);
+        circle = workspace.ints(1, circles);
+        home = workspace.ints(2, circles);
     }
 
     /** One circle; all numbers finite. */
@@ -235,9 +238,7 @@ public final class CircleGrid {
             firstCell[l] = cells;
             cells += columns[l] * rows[l];
         }
-        if (cells >= start.length) {
-            start = new int[cells + 1];
-        }
+        start = workspace.ints(3, cells + 1);
         Arrays.fill(start, 0, cells + 1, 0);
     }
 
@@ -313,6 +314,7 @@ public final class CircleGrid {
      * @return how many
      */
     public int findPairs() {
+        requireColumns();
         if (search.length == 1 || count < MANY) {
             search[0].find(0, 1);
             return search[0].pairs();
@@ -322,6 +324,12 @@ public final class CircleGrid {
             search[0].append(search[share]);
         }
         return search[0].pairs();
+    }
+
+    private void requireColumns() {
+        if (!workspace.isHeldBy(this)) {
+            throw new IllegalStateException("the circles are gone: another part has taken the workspace");
+        }
     }
 
     private void searchShare(int share, int member) {
@@ -335,6 +343,7 @@ public final class CircleGrid {
      * @return how many
      */
     public int query(int i) {
+        requireColumns();
         int p = place[i];
         boolean isStray = home[p] < 0;
         double cx = isStray ? strayX[-1 - home[p]] : at[3 * p];
@@ -375,6 +384,7 @@ public final class CircleGrid {
 
     /** Changes a circle after {@link #build}. */
     public void move(int i, double centreX, double centreY, double radius) {
+        requireColumns();
         double newX = period == null ? centreX : period.insideX(centreX);
         double newY = period == null ? centreY : period.insideY(centreY);
         double newReach = withRounding(centreX, centreY, radius);

@@ -51,7 +51,7 @@ final class MortonKeys {
         return scale > 0 ? scale : 0; // side is beyond the numbers
     }
 
-    /** Puts keys in front of the items of a run, in the box of all, and counts their digits of so many bits. */
+    /** Gives keys to the items of a run, in the box of all, and counts their digits of so many bits. */
     void giveKeys(Quadtree tree, MortonKeys all, int start, int stop, int bits, int digits) {
         if (histogram.length < digits << bits) {
             histogram = new int[digits << bits];
@@ -61,20 +61,20 @@ final class MortonKeys {
         double scale = all.scale();
         double left = all.lowX;
         double bottom = all.lowY;
-        long[] order = tree.order;
+        int[] keys = tree.key;
         int[] count = histogram;
-        long mask = (1L << bits) - 1;
+        int mask = (1 << bits) - 1;
         for (int p = start; p < stop; p++) {
             int i = tree.item(p);
             int column = (int) ((tree.centreX(i) - left) * scale);
             int row = (int) ((tree.centreY(i) - bottom) * scale);
-            long key = spread(column) | spread(row) << 1;
-            order[p] = key << 32 | i;
-            count[(int) (key & mask)]++;
-            count[(1 << bits) + (int) (key >>> bits & mask)]++;
-            count[(2 << bits) + (int) (key >>> 2 * bits & mask)]++;
+            int key = spread(column) | spread(row) << 1;
+            keys[p] = key;
+            count[key & mask]++;
+            count[(1 << bits) + (key >>> bits & mask)]++;
+            count[(2 << bits) + (key >>> 2 * bits & mask)]++;
             if (digits > 3) {
-                count[(3 << bits) + (int) (key >>> 3 * bits & mask)]++;
+                count[(3 << bits) + (key >>> 3 * bits)]++;
             }
         }
     }
@@ -89,11 +89,11 @@ final class MortonKeys {
     }
 
     /** Puts a zero between every two of 16 bits. */
-    private static long spread(int bits) {
-        long b = bits & 0xffffL;
-        b = (b | b << 8) & 0x00ff00ffL;
-        b = (b | b << 4) & 0x0f0f0f0fL;
-        b = (b | b << 2) & 0x33333333L;
-        return (b | b << 1) & 0x55555555L;
+    private static int spread(int bits) {
+        int b = bits & 0xffff;
+        b = (b | b << 8) & 0x00ff00ff;
+        b = (b | b << 4) & 0x0f0f0f0f;
+        b = (b | b << 2) & 0x33333333;
+        return (b | b << 1) & 0x55555555;
     }
 }

@@ -28,16 +28,19 @@ public final class Quadtree {
     private static final int MOST_SHARES = 8;
     private static final int MANY_FOR_A_TEAM = 4000; // items, whose keys take 30 µs: fewer are not shared
 
+    private final Workspace workspace;
     private final int leafSize;
     private final boolean hasBoxes; // of its nodes
     private int count;
-    private double[] minX = new double[16];
-    private double[] minY = new double[16];
-    private double[] maxX = new double[16];
-    private double[] maxY = new double[16];
+    private double[] minX = new double[0];
+    private double[] minY = new double[0];
+    private double[] maxX = new double[0];
+    private double[] maxY = new double[0];
 
-    long[] order = new long[16]; // key << 32 | item, sorted
-    private long[] spare = new long[16];
+    int[] key = new int[0]; // sorted, as unsigned numbers
+    int[] item = new int[0]; // of each key
+    private int[] spareKey = new int[0];
+    private int[] spareItem = new int[0];
     private final Team team;
     private final MortonKeys[] keys; // by share
     private final Work boxing = this::findBoxOfShare;
@@ -63,42 +66,40 @@ public final class Quadtree {
 
     /** A tree whose nodes are divided as long as they hold more items than this. */
     public Quadtree(int leafSize) {
-        this(leafSize, true, Team.ofOne());
+        this(leafSize, true, Team.ofOne(), new Workspace());
     }
 
-    private Quadtree(int leafSize, boolean hasBoxes, Team team) {
+    private Quadtree(int leafSize, boolean hasBoxes, Team team, Workspace workspace) {
         this.leafSize = leafSize;
         this.hasBoxes = hasBoxes;
         this.team = team;
+        this.workspace = workspace;
         this.keys = new MortonKeys[Math.min(MOST_SHARES, 2 * team.size() - 1)];
         Arrays.setAll(keys, share -> new MortonKeys());
     }
 
     /**
      * A tree of points, set by {@link #setPoint} alone, for sums over its nodes: these have no boxes, which take half as long as all the
-     * rest, and cannot be queried. Takes half the memory for items. A team gives many of them their keys.
+     * rest, and cannot be queried. A team gives many of them their keys. When it is built, the columns 0 and 1 of the workspace,
+     * where the points stood, are free.
      */
-    public static Quadtree ofPoints(int leafSize, Team team) {
-        var tree = new Quadtree(leafSize, false, team);
-        tree.maxX = tree.minX;
-        tree.maxY = tree.minY;
-        return tree;
+    public static Quadtree ofPoints(int leafSize, Team team, Workspace workspace) {
+        return new Quadtree(leafSize, false, team, workspace);
     }
 
     /** Forgets everything and makes room for this many items. */
     public void begin(int items) {
         count = items;
         nodes = 0;
-        if (items > minX.length) {
-            int capacity = Math.max(items, minX.length + minX.length / 8);
-            boolean points = maxX == minX;
-            minX = new double[capacity];
-            minY = new double[capacity];
-            maxX = points ? minX : new double[capacity];
-            maxY = points ? minY : new double[capacity];
-            order = new long[capacity];
-            spare = new long[capacity];
-        }
+        workspace.take(this);
+        minX = workspace.doubles(0, items);
+        minY = workspace.doubles(1, items);
+        maxX = hasBoxes ? workspace.doubles(2, items) : minX;
+        maxY = hasBoxes ? workspace.doubles(3, items) : minY;
+        item = workspace.ints(0, items);
+        key = workspace.ints(1, items);
+        spareItem = workspace.ints(2, items);
+        spareKey = workspace.ints(3, items);
     }
 
     /** The box of one item; all numbers finite. */
@@ -118,7 +119,7 @@ public final class Quadtree {
     /** Sorts the items and builds the nodes. */
     public void build() {
         for (int i = 0; i < count; i++) {
-            order[i] = i;
+            item[i] = i;
         }
         if (count > 0 && sort(0, count)) {
             addNode(0, count, 0);
@@ -189,14 +190,19 @@ public final class Quadtree {
             histogram[value] = place;
             place += equal;
         }
-        int shift = 32 + digit * bits;
-        long mask = (1L << bits) - 1;
+        int shift = digit * bits;
+        int mask = (1 << bits) - 1;
         for (int p = start; p < stop; p++) {
-            spare[histogram[from + (int) (order[p] >>> shift & mask)]++] = order[p];
+            int at = histogram[from + (key[p] >>> shift & mask)]++;
+            spareKey[at] = key[p];
+            spareItem[at] = item[p];
         }
-        long[] sorted = spare;
-        spare = order;
-        order = sorted;
+        int[] sorted = spareKey;
+        spareKey = key;
+        key = sorted;
+        sorted = spareItem;
+        spareItem = item;
+        item = sorted;
     }
 
     /** Adds the node of a run of the order, and everything below it. */
@@ -267,7 +273,7 @@ public final class Quadtree {
     }
 
     private int digit(int position, int depth) {
-        return (int) (order[position] >>> (62 - 2 * depth)) & 3;
+        return key[position] >>> (30 - 2 * depth) & 3;
     }
 
     private void boxOfItems(int node, int start, int stop) {
@@ -393,6 +399,6 @@ public final class Quadtree {
 
     /** The item at a position of the order of the tree. */
     public int item(int position) {
-        return (int) order[position];
+        return item[position];
     }
 }

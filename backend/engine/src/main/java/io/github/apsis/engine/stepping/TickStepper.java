@@ -12,6 +12,7 @@ import io.github.apsis.engine.integration.Integrator;
 import io.github.apsis.engine.integration.PathIntegrator;
 import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.parallel.Team;
+import io.github.apsis.engine.spatial.Workspace;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
 
@@ -31,11 +32,12 @@ public final class TickStepper implements Stepper {
             ContactMode mode,
             Boundary boundary,
             double dt,
-            Team team) {
+            Team team,
+            Workspace workspace) {
         this.integrator = integrator;
         this.forces = forces;
         this.contacts = restitution.isPresent() || Boundary.hasWalls(boundary)
-                ? new ContactSolver(restitution, boundary, mode, team)
+                ? new ContactSolver(restitution, boundary, mode, team, workspace)
                 : null;
         this.path = pathOf(integrator, contacts != null || boundary instanceof Boundary.Periodic);
         this.period = boundary instanceof Boundary.Periodic p ? new Period(p.box()) : null;

@@ -8,6 +8,7 @@ import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.math.Rng;
 import io.github.apsis.engine.parallel.Team;
+import io.github.apsis.engine.spatial.Workspace;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -38,7 +39,7 @@ class BroadPhaseTest {
         var paths = new Paths();
         paths.begin(bodies, DT);
         bodies.drift(DT);
-        var broadPhase = new BroadPhase(period, Team.ofOne());
+        var broadPhase = new BroadPhase(period, Team.ofOne(), new Workspace());
         broadPhase.build(bodies, paths);
 
         assertThat(found(broadPhase)).as("seed %d", seed).containsAll(meeting(bodies, paths, period));

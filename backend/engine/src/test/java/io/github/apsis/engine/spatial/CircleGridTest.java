@@ -64,7 +64,7 @@ class CircleGridTest {
                 for (Period period : periods()) {
                     List<Circle> circles = circles(5000, radii, new Rng(7)); // fewer are left to one thread
 
-                    assertThat(pairs(filled(new CircleGrid(period, team), circles)))
+                    assertThat(pairs(filled(new CircleGrid(period, team, new Workspace()), circles)))
                             .as("%s, %s", radii, period == null ? "open" : "periodic")
                             .isEqualTo(pairs(grid(circles, period)));
                 }
