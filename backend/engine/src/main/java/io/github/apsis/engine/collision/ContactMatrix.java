@@ -2,6 +2,7 @@ package io.github.apsis.engine.collision;
 
 import io.github.apsis.engine.body.Bodies;
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What impulses at contacts do to the separating speeds there:
@@ -21,20 +22,31 @@ final class ContactMatrix {
     private static final double MASSLESS = 1e9;
 
     private int size;
-    private int bodies;
+    private @Nullable Bodies bodies;
     private int[] a = new int[16];
     private int[] b = new int[16];
     private double[] hx = new double[16]; // n / √A_kk
     private double[] hy = new double[16];
     private double[] scale = new double[16]; // 1 / √A_kk
 
-    private double[] inverseMass = new double[17]; // of bodies; the last is that of all walls
-    private double[] velocity = new double[34]; // x, y of each body: what impulses give it
+    private int[] number = new int[16]; // by slot: of a body with contacts, and 0 for those without
+
+    // By number, which all walls have in common: 0.
+    private int numbers = 1;
+    private int[] slot = new int[17];
+    private double[] inverseMass = new double[17];
+    private double[] velocity = new double[34]; // x, y: what impulses give to the body
+
+    private double least; // inverse mass of a body without mass
 
     /** Forgets all contacts; there will be so many at most. */
     void begin(int contacts, Bodies all) {
+        bodies = all;
+        for (int i = 1; i < numbers; i++) {
+            number[slot[i]] = 0;
+        }
+        numbers = 1;
         size = 0;
-        bodies = all.count();
         if (contacts > a.length) {
             int capacity = Math.max(contacts, 2 * a.length);
             a = new int[capacity];
@@ -43,29 +55,41 @@ final class ContactMatrix {
             hy = new double[capacity];
             scale = new double[capacity];
         }
-        if (bodies >= inverseMass.length) {
-            int capacity = Math.max(bodies + 1, 2 * inverseMass.length);
-            inverseMass = new double[capacity];
-            velocity = new double[2 * capacity];
+        if (all.count() > number.length) {
+            number = new int[Math.max(all.count(), number.length + number.length / 8)];
         }
-        double lightest = 0;
-        for (int i = 0; i < bodies; i++) {
-            inverseMass[i] = all.inverseMass(i);
-            lightest = Math.max(lightest, all.mass(i) > 0 ? inverseMass[i] : 0);
+        int lightest = -1;
+        for (int i = 0; i < all.count(); i++) {
+            if (all.mass(i) > 0 && !all.isFixed(i) && (lightest < 0 || all.mass(i) < all.mass(lightest))) {
+                lightest = i;
+            }
         }
-        double least = lightest > 0 ? MASSLESS * lightest : 1;
-        for (int i = 0; i < bodies; i++) {
-            inverseMass[i] = Math.min(inverseMass[i], least);
+        least = lightest < 0 ? 1 : MASSLESS * all.inverseMass(lightest);
+    }
+
+    private int number(int i) {
+        if (i < 0) {
+            return 0;
         }
-        inverseMass[bodies] = 0;
+        if (number[i] == 0) {
+            if (numbers == slot.length) {
+                slot = Arrays.copyOf(slot, 2 * numbers);
+                inverseMass = Arrays.copyOf(inverseMass, 2 * numbers);
+                velocity = new double[4 * numbers];
+            }
+            slot[numbers] = i;
+            inverseMass[numbers] = bodies == null ? 0 : Math.min(bodies.inverseMass(i), least);
+            number[i] = numbers++;
+        }
+        return number[i];
     }
 
     /** Adds a contact; a negative second partner is a wall. Returns √A_kk: an impulse times this is as scaled. */
     double add(int first, int second, double nx, double ny) {
         int k = size++;
-        a[k] = first;
-        b[k] = second < 0 ? bodies : second;
-        double root = Math.sqrt(inverseMass[first] + inverseMass[b[k]]);
+        a[k] = number(first);
+        b[k] = number(second);
+        double root = Math.sqrt(inverseMass[a[k]] + inverseMass[b[k]]);
         scale[k] = 1 / root;
         hx[k] = nx / root;
         hy[k] = ny / root;
@@ -92,7 +116,7 @@ final class ContactMatrix {
 
     /** The velocities that these impulses give to the bodies: {@link #velocityX}, {@link #velocityY}. */
     void spread(double[] in) {
-        Arrays.fill(velocity, 0, 2 * bodies + 2, 0);
+        Arrays.fill(velocity, 0, 2 * numbers, 0);
         for (int k = 0; k < size; k++) {
             int i = a[k];
             int j = b[k];
@@ -107,7 +131,7 @@ final class ContactMatrix {
 
     /** A bound on the norm of A: its largest row sum (Gershgorin). */
     double norm() {
-        Arrays.fill(velocity, 0, 2 * bodies + 2, 0);
+        Arrays.fill(velocity, 0, 2 * numbers, 0);
         for (int k = 0; k < size; k++) {
             velocity[2 * a[k]] += scale[k];
             velocity[2 * b[k]] += scale[k];
@@ -125,12 +149,12 @@ final class ContactMatrix {
     }
 
     int first(int k) {
-        return a[k];
+        return slot[a[k]];
     }
 
     /** The other body, or −1 for any wall. */
     int second(int k) {
-        return b[k] == bodies ? -1 : b[k];
+        return b[k] == 0 ? -1 : slot[b[k]];
     }
 
     /** 1 / √A_kk: a speed times this is as scaled. */
@@ -147,16 +171,16 @@ final class ContactMatrix {
         return hy[k];
     }
 
-    /** The inverse mass that a body has here. */
+    /** The inverse mass that a body with contacts has here. */
     double inverseMass(int i) {
-        return inverseMass[i];
+        return inverseMass[number[i]];
     }
 
     double velocityX(int i) {
-        return velocity[2 * i];
+        return number[i] == 0 ? 0 : velocity[2 * number[i]];
     }
 
     double velocityY(int i) {
-        return velocity[2 * i + 1];
+        return number[i] == 0 ? 0 : velocity[2 * number[i] + 1];
     }
 }

@@ -22,8 +22,7 @@ public final class ContactSolver {
     private final Impacts impacts;
     private final RestingContacts resting;
     private final @Nullable WallStop stop;
-    private double[] beforeX = new double[16];
-    private double[] beforeY = new double[16];
+    private final HeldBodies held = new HeldBodies();
 
     /**
      * @param restitution between bodies; empty when they do not collide with each other
@@ -69,17 +68,13 @@ public final class ContactSolver {
     }
 
     private void hold(Bodies bodies) {
-        if (bodies.count() > beforeX.length) {
-            beforeX = new double[Math.max(bodies.count(), 2 * beforeX.length)];
-            beforeY = new double[beforeX.length];
-        }
-        bodies.copyPositions(beforeX, beforeY);
-        int held = touching.size();
+        held.note(bodies, touching);
+        int before = touching.size();
         resting.hold(bodies, paths.dt());
-        for (int time = 1; time < MOST_HOLDS && impacts.findIntruders(bodies, beforeX, beforeY); time++) {
-            bodies.copyPositions(beforeX, beforeY);
-            resting.holdAgain(bodies, paths.dt(), held);
-            held = touching.size();
+        for (int time = 1; time < MOST_HOLDS && impacts.findIntruders(bodies, held); time++) {
+            held.note(bodies, touching);
+            resting.holdAgain(bodies, paths.dt(), before);
+            before = touching.size();
         }
         resting.part(bodies, paths.dt());
     }

@@ -159,14 +159,15 @@ final class ImpactPredictor {
     /**
      * Lists what bodies have been held off into: others, and walls, that were not in their way before.
      *
-     * @param beforeX where all bodies ended before they were held
+     * @param held where they ended before they were held
      * @return whether there is any
      */
-    boolean findIntruders(Bodies bodies, double[] beforeX, double[] beforeY) {
+    boolean findIntruders(Bodies bodies, HeldBodies held) {
         int before = touching.size();
-        for (int i = 0; i < bodies.count(); i++) {
-            double dx = bodies.x(i) - beforeX[i];
-            double dy = bodies.y(i) - beforeY[i];
+        int k = 0;
+        for (int i = held.next(0); i >= 0; i = held.next(i + 1), k++) {
+            double dx = bodies.x(i) - held.x(k);
+            double dy = bodies.y(i) - held.y(k);
             double near = ALREADY_NEAR * bodies.radius(i) + Paths.acceleration(bodies, i, -1) * paths.dt() * paths.dt();
             if (dx * dx + dy * dy > near * near) {
                 update(bodies, i);

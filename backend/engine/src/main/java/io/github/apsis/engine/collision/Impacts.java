@@ -101,8 +101,8 @@ final class Impacts {
     }
 
     /** Lists what bodies have been held off into; see {@link ImpactPredictor#findIntruders}. */
-    boolean findIntruders(Bodies bodies, double[] beforeX, double[] beforeY) {
-        return predictor.findIntruders(bodies, beforeX, beforeY);
+    boolean findIntruders(Bodies bodies, HeldBodies held) {
+        return predictor.findIntruders(bodies, held);
     }
 
     private boolean isCurrent() {

@@ -13,8 +13,8 @@ import org.jspecify.annotations.Nullable;
  * <p>A circle belongs to a grid whose cells are as wide as it is, or up to four times as wide, so it reaches half a cell beyond
  * its own at most and meets circles of its grid in the eight cells around alone; grids of other sizes are asked around it. Cells
  * are numbered row by row and circles sorted by their cells in one count (Knuth 1973, TAOCP 3, 5.2): three neighbours in a row
- * are one run of memory. A plane is folded up into a torus of three cells for each circle, or up to six, so what has flown off
- * costs nothing; circles that are neighbours only by the fold are told apart by their distance.
+ * are one run of memory. A plane is folded up into a torus of two or three cells for each circle, or up to five, so what has flown
+ * off costs nothing; circles that are neighbours only by the fold are told apart by their distance.
  *
  * <p>17 to 26 ns a circle, of 1000 and of 5000, for sorting and all pairs where all are of one size; up to one and a half that
  * where radii go from 1 to 100 with a density falling as r⁻³. Nothing is allocated once warm.
@@ -41,7 +41,7 @@ public final class CircleGrid {
 
     private static final int SAMPLE = 64; // circles that tell the size of most
     private static final double MUCH_LARGER = 8; // times what is usual
-    private static final int CELLS = 3; // for each circle, or up to twice as many
+    private static final double CELLS = 2.5; // for each circle, or up to twice as many
     private static final int FEWEST_COLUMNS = 4; // on a torus of two, a cell is its own neighbour's neighbour
     private static final int SHARES = 8; // of the circles, for a team
     private static final int MANY =
@@ -60,7 +60,6 @@ public final class CircleGrid {
     private int[] place = new int[0]; // in the order of the cells; before it is known, level and cell
 
     private final int[] sampled = new int[2048]; // by exponent
-    private final double[] sampledReach = new double[2048];
     final int[] size = new int[LEVELS]; // circles of each level
     final int[] used = new int[LEVELS]; // the levels that have any, fine ones first
     int levels;
@@ -169,17 +168,17 @@ public final class CircleGrid {
             int exponent = Math.getExponent(reach[i]) + 1023;
             if (reach[i] > 0) {
                 sampled[exponent]++;
-                sampledReach[exponent] += reach[i];
                 most = sampled[exponent] > sampled[most] ? exponent : most;
             }
         }
-        double mean = sampled[most] == 0 ? 1 : sampledReach[most] / sampled[most];
+        int alike = sampled[most];
+        double sum = 0;
         for (int i = 0; i < count; i += step) {
             int exponent = Math.getExponent(reach[i]) + 1023;
+            sum += exponent == most ? reach[i] : 0;
             sampled[exponent] = 0;
-            sampledReach[exponent] = 0;
         }
-        return mean;
+        return alike == 0 ? 1 : sum / alike;
     }
 
     /** Where most are of one size all may be: then they are sorted while that is looked at. */
@@ -224,7 +223,7 @@ public final class CircleGrid {
         }
     }
 
-    /** Gives each level its cells, three times as many as circles or more, all empty. */
+    /** Gives each level its cells, two and a half times as many as circles or more, all empty. */
     private void prepareCells() {
         cells = 0;
         for (int k = 0; k < levels; k++) {
@@ -238,12 +237,12 @@ public final class CircleGrid {
             firstCell[l] = cells;
             cells += columns[l] * rows[l];
         }
-        start = workspace.ints(3, cells + 1);
+        start = workspace.ints(3, cells + cells / 64 + 1); // a few more when sizes differ
         Arrays.fill(start, 0, cells + 1, 0);
     }
 
     private void fold(int l) {
-        int wanted = CELLS * size[l];
+        double wanted = CELLS * size[l];
         int across = FEWEST_COLUMNS;
         while (across * across < wanted) {
             across *= 2;
@@ -257,8 +256,7 @@ public final class CircleGrid {
     private void divide(int l, Period world) {
         double across = Math.floor(world.width() / side[l]);
         double up = Math.floor(world.height() / side[l]);
-        double shrink =
-                Math.max(1, Math.sqrt(across * up / (CELLS * (double) size[l] + FEWEST_COLUMNS * FEWEST_COLUMNS)));
+        double shrink = Math.max(1, Math.sqrt(across * up / (CELLS * size[l] + FEWEST_COLUMNS * FEWEST_COLUMNS)));
         columns[l] = divisions(across / shrink);
         rows[l] = divisions(up / shrink);
         columnsPerLength[l] = columns[l] / world.width();

@@ -265,7 +265,7 @@ public final class Quadtree {
     private int openNode(int start, int stop) {
         int node = nodes++;
         if (node == past.length) {
-            growNodes(2 * node);
+            growNodes(node + node / 2);
         }
         first[node] = start;
         end[node] = stop;
