@@ -536,6 +536,11 @@ public final class Bodies {
         return ships.slots();
     }
 
+    /** The number of a ship among all ships, from 1 on; 0 for everything else. */
+    public int shipNumber(int i) {
+        return ships.row(i);
+    }
+
     public boolean isShip(int i) {
         return kind(i) == BodyKind.SHIP;
     }

@@ -117,7 +117,8 @@ final class ShipColumns {
         slots = left;
     }
 
-    private int row(int slot) {
+    /** The number of a ship among ships, from 1 on; 0 for everything else. */
+    int row(int slot) {
         return slots.length == 0 ? 0 : row[slot];
     }
 
