@@ -53,7 +53,9 @@ class SteeringCommandTest {
         assertThat(lines.get(5)).startsWith("headon,gdx-ai-priority,0-4,");
         assertThat(Files.readAllLines(folder.resolve("arrival.csv"))).hasSize(1 + 24 * 8);
         assertThat(folder.resolve("table.md")).content().contains("| headon | apsis | 0-4 |");
-        assertThat(folder.resolve("plots/collisions-against-time.svg")).content().contains(">headon<", ">apsis<");
+        assertThat(folder.resolve("plots/collisions-against-time.svg"))
+                .content()
+                .contains(">headon<", ">apsis<");
         assertThat(out.toString()).contains("apsis: no collision in 2 of 2 scenes");
     }
 
