@@ -51,10 +51,9 @@ final class HeapMatrix {
         }
     }
 
-    /** Takes the contacts of a matrix over, and forgets the factor. */
-    void renew(ContactMatrix matrix, Bodies bodies) {
+    /** Forgets the factor: the contacts that are set next are numbered anew. */
+    void forget() {
         factored = 0;
-        set(matrix, bodies);
     }
 
     /** Whether there is a factor. */

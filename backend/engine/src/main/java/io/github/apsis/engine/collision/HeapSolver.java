@@ -51,36 +51,30 @@ final class HeapSolver {
      */
     void improve(ContactMatrix matrix, Bodies bodies, double[] lack, double most, double allowed, double[] impulse) {
         double enough = ImpulseSolver.GOOD_ENOUGH * allowed;
+        double near = NEAR * most;
         heap.set(matrix, bodies);
         double error = lagrangian.error(heap, lack, impulse);
-        boolean isNear = error <= NEAR * most;
-        if (isNear) {
-            error = follow(matrix, bodies, lack, error, allowed, impulse);
+        if (heap.isFactored()) {
+            if (error <= near) {
+                error = lagrangian.follow(heap, lack, stiffness, allowed, impulse);
+            }
+            if (error > enough) {
+                heap.forget();
+                heap.set(matrix, bodies);
+            }
+        }
+        if (error > enough && error <= near) {
+            error = lagrangian.improve(heap, lack, stiffness, allowed, FEW_FACTORS, impulse);
         }
         if (error > enough) {
-            heap.renew(matrix, bodies);
-            if (isNear) {
+            if (error <= near) {
                 error = refine(lack, error, allowed, impulse);
             }
             if (error > enough && interiorPoint.solve(heap, lack, most, impulse)) {
                 refine(lack, lagrangian.error(heap, lack, impulse), allowed, impulse);
             }
-            heap.renew(matrix, bodies);
+            heap.forget(); // it is of another stiffness
         }
-    }
-
-    /** With the factor of a tick before, or else with one that the next ticks may use. */
-    private double follow(
-            ContactMatrix matrix, Bodies bodies, double[] lack, double before, double allowed, double[] impulse) {
-        double error = before;
-        if (heap.isFactored()) {
-            error = lagrangian.follow(heap, lack, stiffness, allowed, impulse);
-        }
-        if (error > ImpulseSolver.GOOD_ENOUGH * allowed) {
-            heap.renew(matrix, bodies);
-            error = lagrangian.improve(heap, lack, stiffness, allowed, FEW_FACTORS, impulse);
-        }
-        return error;
     }
 
     private double refine(double[] lack, double before, double allowed, double[] impulse) {
