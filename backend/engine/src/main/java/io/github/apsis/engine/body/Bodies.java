@@ -658,14 +658,9 @@ public final class Bodies {
         long hash = StateHash.EMPTY;
         for (int i = 0; i < count; i++) {
             hash = StateHash.fold(hash, id[i]);
-            hash = StateHash.fold(hash, kind(i).ordinal());
+            hash = StateHash.fold(hash, kind[i]);
         }
         for (double[] column : columns()) {
-            if (column == radius) {
-                for (int i = 0; i < count; i++) {
-                    hash = StateHash.fold(hash, inverseMass(i)); // tells what is fixed
-                }
-            }
             for (int i = 0; i < count; i++) {
                 hash = StateHash.fold(hash, column[i]);
             }
