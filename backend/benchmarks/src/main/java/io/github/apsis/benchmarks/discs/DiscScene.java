@@ -39,6 +39,15 @@ public record DiscScene(
         return sum.value();
     }
 
+    /** Of all discs, length / time. */
+    public double fastest(DiscEngine engine) {
+        double fastest = 0;
+        for (int i = 0; i < discs.size(); i++) {
+            fastest = Math.max(fastest, Math.hypot(engine.vx(i), engine.vy(i)));
+        }
+        return fastest;
+    }
+
     /** A scene in a closed box. */
     public static DiscScene boxed(
             String name, List<Disc> discs, Aabb box, double fieldY, double restitution, double dt) {

@@ -39,8 +39,11 @@ final class DiscCourse implements Course {
         }
         findings.add(new Finding("overlap", deepest));
         if (scene.restitution() < 1) {
-            findings.add(
-                    new Finding("overlap-end", DiscOverlaps.of(scene, engine).deepest()));
+            DiscOverlaps end = DiscOverlaps.of(scene, engine);
+            findings.add(new Finding("overlap-end", end.deepest()));
+            findings.add(new Finding("overlap-mean-end", end.mean()));
+            findings.add(new Finding("kinetic-energy-end", scene.kineticEnergy(engine)));
+            findings.add(new Finding("fastest-end", scene.fastest(engine)));
         }
         return findings;
     }
