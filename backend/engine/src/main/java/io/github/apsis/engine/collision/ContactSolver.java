@@ -23,6 +23,7 @@ public final class ContactSolver {
     private final RestingContacts resting;
     private final @Nullable WallStop stop;
     private final HeldBodies held = new HeldBodies();
+    private final Standstill standstill = new Standstill(paths, touching, held);
 
     /**
      * @param restitution between bodies; empty when they do not collide with each other
@@ -81,6 +82,11 @@ public final class ContactSolver {
 
     /** Leaves no pair at rest closing, when positions and velocities belong to the same time. */
     public void settle(Bodies bodies) {
-        resting.settle(bodies);
+        if (touching.size() > 0) {
+            resting.settle(bodies);
+            if (resting.isQuiet()) {
+                standstill.stop(bodies);
+            }
+        }
     }
 }

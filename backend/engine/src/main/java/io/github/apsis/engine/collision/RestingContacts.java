@@ -169,6 +169,11 @@ final class RestingContacts {
         }
     }
 
+    /** Whether bodies at rest move past each other more slowly than what they fall in a tick would have them. */
+    boolean isQuiet() {
+        return isQuiet;
+    }
+
     /** Takes from every pair that touches the closing speed that the end of the tick has left it. */
     void settle(Bodies bodies) {
         if (touching.size() == 0) {

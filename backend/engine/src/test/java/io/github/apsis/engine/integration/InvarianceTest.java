@@ -199,11 +199,11 @@ class InvarianceTest {
                     return Long.toHexString(world.stateHash());
                 })
                 .containsExactly(
-                        "9af12a86adbd0198",
-                        "c6b4b075db5b2fb8",
-                        "e55ea5aace496c87",
-                        "18df0f69b264c4f0",
-                        "bf049d3d3175a6e6",
-                        "eab7dfea71255d77");
+                        "b41c5b658075ca6f",
+                        "1403259ce5e9510f",
+                        "d17be436771ee2c0",
+                        "dccc324131851377",
+                        "24ccde4cb89e0e61",
+                        "a85890061879546c");
     }
 }
