@@ -8,7 +8,7 @@ import io.github.apsis.benchmarks.speed.SpeedStudy.Length;
 /** S2: a pile that has had eight seconds to come to rest. */
 final class PileScene implements SpeedScene {
     private static final int[] FEW = {10, 25};
-    private static final int[] SOME = {10, 100, 1000, 2000};
+    private static final int[] SOME = {10, 100, 1000};
     private static final int[] MANY = {10, 100, 1000, 5000};
     private static final int MOST_OF_OTHERS = 1000; // in a short run: 5000 take dyn4j and JBox2D two minutes each
 
