@@ -19,11 +19,18 @@ public final class SceneRun {
 
     private final Scene scene;
     private final long seed;
-    private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private final int threads;
+    private final ThreadMXBean counters = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
-    public SceneRun(Scene scene, long seed) {
+    /**
+     * A run of this scene.
+     *
+     * @param threads that step the world
+     */
+    public SceneRun(Scene scene, long seed, int threads) {
         this.scene = scene;
         this.seed = seed;
+        this.threads = threads;
     }
 
     /**
@@ -50,34 +57,36 @@ public final class SceneRun {
      */
     public Result measure(long ticks, LongConsumer progress) {
         long warmUpTicks = warmUp(ticks);
-        World world = scene.world(seed);
+        World world = scene.world(seed, threads);
         Balance balance = new Balance(world);
         TickTimes times = new TickTimes();
         long firstTick = 0;
         long allocated = 0;
         while (times.count() < ticks) {
-            long begin = threads.getCurrentThreadAllocatedBytes();
+            long begin = counters.getCurrentThreadAllocatedBytes();
             long end = Math.min(times.count() + CHUNK, ticks);
             if (times.count() == 0) {
                 tick(world, times, 1);
-                firstTick = threads.getCurrentThreadAllocatedBytes() - begin;
+                firstTick = counters.getCurrentThreadAllocatedBytes() - begin;
                 begin += firstTick;
             }
             tick(world, times, end - times.count());
-            allocated += threads.getCurrentThreadAllocatedBytes() - begin;
+            allocated += counters.getCurrentThreadAllocatedBytes() - begin;
             balance.look();
             progress.accept(times.count());
         }
+        world.close();
         return new Result(warmUpTicks, times, firstTick, allocated, balance, world.stateHash());
     }
 
     /** As many ticks as will be measured, but no more than three seconds of them. */
     private long warmUp(long ticks) {
-        World world = scene.world(seed);
+        World world = scene.world(seed, threads);
         TickTimes discarded = new TickTimes();
         while (discarded.count() < ticks && discarded.totalNanos() < WARM_UP_NANOS) {
             tick(world, discarded, Math.min(CHUNK, ticks - discarded.count()));
         }
+        world.close();
         return discarded.count();
     }
 

@@ -151,6 +151,15 @@ public final class WorldSpec {
         return threads;
     }
 
+    /**
+     * The same world, stepped by so many threads, with the same bits.
+     *
+     * @param count 1 to {@link Team#MOST}
+     */
+    public WorldSpec withThreads(int count) {
+        return new Builder(this).threads(count).build();
+    }
+
     /** How gravity is summed. */
     public sealed interface GravityMethod {
         /** Every pair, exactly. */
@@ -198,6 +207,24 @@ public final class WorldSpec {
         private int threads = 1;
 
         private Builder() {}
+
+        private Builder(WorldSpec like) {
+            gravity = like.gravity;
+            softening = like.softening;
+            gravityMethod = like.gravityMethod;
+            laws.addAll(like.laws);
+            integration = like.integration;
+            tolerance = like.tolerance;
+            restitution = like.restitution;
+            contactMode = like.contactMode;
+            boundary = like.boundary;
+            steering = like.steering;
+            mortalShips = like.mortalShips;
+            dt = like.dt;
+            seed = like.seed;
+            maxBodies = like.maxBodies;
+            threads = like.threads;
+        }
 
         /** Newtonian attraction between every pair, with this G in length³ / (mass · time²). */
         public Builder gravity(double bigG) {

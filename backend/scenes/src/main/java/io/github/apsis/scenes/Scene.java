@@ -31,7 +31,12 @@ public interface Scene {
 
     /** A world with all bodies in it, for those who do not care how they look. */
     default World world(long seed) {
-        World world = new World(spec(seed));
+        return world(seed, spec(seed).threads());
+    }
+
+    /** The same world, with the same bits, stepped by so many threads; {@link World#close} ends them. */
+    default World world(long seed, int threads) {
+        World world = new World(spec(seed).withThreads(threads));
         for (SceneBody body : bodies(seed)) {
             world.add(body.def());
         }

@@ -1,6 +1,7 @@
 package io.github.apsis.benchmarks.cli;
 
 import io.github.apsis.benchmarks.SceneRun;
+import io.github.apsis.engine.parallel.Team;
 import io.github.apsis.scenes.Scene;
 import io.github.apsis.scenes.SceneCatalogue;
 import java.io.PrintWriter;
@@ -52,6 +53,14 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Default: ${DEFAULT-VALUE}")
     private long seed;
 
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            defaultValue = "1",
+            description =
+                    "Threads that step the world; the state hash is the same for any number. Default: ${DEFAULT-VALUE}")
+    private int threads;
+
     @Option(names = "--json", description = "Prints one JSON object instead of a table.")
     private boolean json;
 
@@ -60,8 +69,8 @@ final class RunCommand implements Callable<Integer> {
         Scene scene = scene();
         long ticks = ticks();
         var progress = new Progress(ticks);
-        SceneRun.Result result = new SceneRun(scene, seed).measure(ticks, progress::report);
-        var report = new RunReport(scene.name(), seed, result);
+        SceneRun.Result result = new SceneRun(scene, seed, threads()).measure(ticks, progress::report);
+        var report = new RunReport(scene.name(), seed, threads, result);
         PrintWriter out = command.commandLine().getOut();
         out.println(json ? report.json() : report.table());
         out.flush();
@@ -82,6 +91,13 @@ final class RunCommand implements Callable<Integer> {
 
     private Optional<Scene> found(String name) {
         return bodies == null ? SceneCatalogue.byName(name) : SceneCatalogue.byName(name, bodies);
+    }
+
+    private int threads() {
+        if (threads < 1 || threads > Team.MOST) {
+            throw wrong("--threads must be 1 to " + Team.MOST + ", was " + threads);
+        }
+        return threads;
     }
 
     private long ticks() {

@@ -10,7 +10,7 @@ import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 
 /** What {@code run} says: a table for people, or a JSON object for programs. */
-record RunReport(String scene, long seed, SceneRun.Result result) {
+record RunReport(String scene, long seed, int threads, SceneRun.Result result) {
     private static final String UNDEFINED_ENERGY = "not defined: a force law has no potential";
 
     String table() {
@@ -20,6 +20,7 @@ record RunReport(String scene, long seed, SceneRun.Result result) {
                 scene             %s, seed %d
                 bodies            %s
                 machine           %s
+                threads           %d
                 ticks             %d, after %d to warm up
                 ticks per second  %.0f
                 real-time factor  %.1f at 150 ticks a second
@@ -36,6 +37,7 @@ record RunReport(String scene, long seed, SceneRun.Result result) {
                 seed,
                 bodies(),
                 Jdk.name(),
+                threads,
                 times().count(),
                 result.warmUpTicks(),
                 ticksPerSecond(),
@@ -64,6 +66,7 @@ record RunReport(String scene, long seed, SceneRun.Result result) {
         facts.put("bodiesAtStart", String.valueOf(balance().bodiesAtStart()));
         facts.put("departures", String.valueOf(balance().departures()));
         facts.put("machine", quoted(Jdk.name()));
+        facts.put("threads", String.valueOf(threads));
         facts.put("ticks", String.valueOf(times().count()));
         facts.put("warmUpTicks", String.valueOf(result.warmUpTicks()));
         facts.put("ticksPerSecond", number("%.1f", ticksPerSecond()));

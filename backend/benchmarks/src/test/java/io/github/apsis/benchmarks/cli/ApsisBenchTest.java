@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.apsis.scenes.SceneCatalogue;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -53,6 +55,7 @@ class ApsisBenchTest {
                         "scene",
                         "bodies",
                         "machine",
+                        "threads",
                         "ticks",
                         "ticks per second",
                         "real-time factor",
@@ -77,6 +80,18 @@ class ApsisBenchTest {
         assertThat(hashOf("elastic-gas", "1"))
                 .isEqualTo(hashOf("elastic-gas", "1"))
                 .isNotEqualTo(hashOf("elastic-gas", "2"));
+    }
+
+    @Test
+    void any_number_of_threads_ends_in_the_same_state() {
+        assertThat(hashOf("belt-and-swarm", "1", "--threads", "2")).isEqualTo(hashOf("belt-and-swarm", "1"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0", "-1", "257", "many"})
+    void a_number_of_threads_that_makes_no_sense_is_a_usage_error(String threads) {
+        assertThat(run("run", "two-bodies", "--threads", threads)).isEqualTo(USAGE);
+        assertThat(err.toString()).contains("--threads");
     }
 
     @Test
@@ -120,10 +135,12 @@ class ApsisBenchTest {
         assertThat(err.toString()).contains("--seconds");
     }
 
-    private String hashOf(String scene, String seed) {
+    private String hashOf(String scene, String seed, String... options) {
         out.getBuffer().setLength(0);
-        assertThat(run("run", scene, "--bodies", "30", "--seconds", "1", "--seed", seed))
-                .isEqualTo(OK);
+        List<String> arguments =
+                new ArrayList<>(List.of("run", scene, "--bodies", "30", "--seconds", "1", "--seed", seed));
+        arguments.addAll(List.of(options));
+        assertThat(run(arguments.toArray(String[]::new))).isEqualTo(OK);
         Matcher hash = Pattern.compile("state hash +([0-9a-f]{16})").matcher(out.toString());
         assertThat(hash.find()).isTrue();
         return hash.group(1);
