@@ -84,7 +84,7 @@ public final class ContactSolver {
     public void settle(Bodies bodies) {
         if (touching.size() > 0) {
             resting.settle(bodies);
-            if (resting.isQuiet()) {
+            if (resting.mayCreep()) {
                 standstill.stop(bodies);
             }
         }

@@ -29,7 +29,7 @@ final class ImpulseSolver {
     private static final double DIRECT_TOLERANCE = 1e-9;
 
     /** So many contacts and more are solved directly after few rounds, since a factor costs less than the other rounds. */
-    private static final int MANY = 500;
+    static final int MANY = 500;
 
     private static final int FEW_ROUNDS = 20;
 

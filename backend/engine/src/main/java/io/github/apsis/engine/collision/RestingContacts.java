@@ -169,9 +169,9 @@ final class RestingContacts {
         }
     }
 
-    /** Whether bodies at rest move past each other more slowly than what they fall in a tick would have them. */
-    boolean isQuiet() {
-        return isQuiet;
+    /** Whether there is a heap in this tick that was solved directly, so that its bodies may creep by what its impulses miss. */
+    boolean mayCreep() {
+        return isQuiet && touching.size() >= ImpulseSolver.MANY;
     }
 
     /** Takes from every pair that touches the closing speed that the end of the tick has left it. */

@@ -4,9 +4,9 @@ import io.github.apsis.engine.body.Bodies;
 import java.util.BitSet;
 
 /**
- * What lies still. A heap whose impulses are right to as many digits as can be found creeps by what they miss, its contacts change
- * by that, and every tick would look for other impulses. So a heap that lies on a wall or on a fixed body stays where it is, to the
- * bit, while none of its bodies is faster than
+ * What lies still. Impulses of a large heap are right to nine digits, it creeps by what they miss, its contacts change by that, and
+ * every tick would look for other impulses. So a heap that lies on a wall or on a fixed body stays where it is, to the bit, while none
+ * of its bodies is faster than
  *
  * <pre>
  *   |v| ≤ ε |a| dt     ε = 10⁻⁵
