@@ -24,7 +24,6 @@ final class Neighbours {
     private int[] start = new int[0]; // by bucket + 1: where its positions begin
     private int[] bucket = new int[0]; // by slot
     private int[] item = new int[0]; // by position, as all below
-    private long[] row = new long[0];
     // The columns that a search reads, for all bodies in turn.
     double[] x = new double[0];
     double[] y = new double[0];
@@ -69,7 +68,6 @@ final class Neighbours {
 
     private void put(Bodies bodies, int i, int position) {
         item[position] = i;
-        row[position] = cellOf(bodies.y(i));
         x[position] = bodies.x(i);
         y[position] = bodies.y(i);
         vx[position] = bodies.vx(i);
@@ -86,10 +84,9 @@ final class Neighbours {
             start = new int[buckets + 2];
         }
         if (item.length < count) {
-            int capacity = count + count / 2 + 16;
+            int capacity = count + count / 8;
             bucket = new int[capacity];
             item = new int[capacity];
-            row = new long[capacity];
             x = new double[capacity];
             y = new double[capacity];
             vx = new double[capacity];
@@ -132,7 +129,7 @@ final class Neighbours {
         int found = of.sift(this, from, to);
         for (int f = 0; f < found; f++) {
             int p = of.found(f);
-            if (row[p] == line) {
+            if (cellOf(y[p]) == line) { // others have the same hash
                 of.offer(this, p);
             }
         }
