@@ -24,11 +24,16 @@ final class Approach {
         this.mode = mode;
     }
 
-    /** Fills in normal, gap and closing speed of a body and its partner, a body or a wall, at time t. */
-    void measure(Bodies bodies, int a, int b, double t) {
+    /** Fills in normal and gap of a body and its partner, a body or a wall, at time t. */
+    void locate(Bodies bodies, int a, int b, double t) {
         double xb = b < 0 ? 0 : paths.xAt(bodies, b, t);
         double yb = b < 0 ? 0 : paths.yAt(bodies, b, t);
         contact.fill(bodies, a, paths.xAt(bodies, a, t), paths.yAt(bodies, a, t), b, xb, yb);
+    }
+
+    /** The same, and the closing speed. */
+    void measure(Bodies bodies, int a, int b, double t) {
+        locate(bodies, a, b, t);
         double wx = (b < 0 ? 0 : paths.vxAt(bodies, b, t)) - paths.vxAt(bodies, a, t);
         double wy = (b < 0 ? 0 : paths.vyAt(bodies, b, t)) - paths.vyAt(bodies, a, t);
         closingSpeed = -(wx * contact.nx + wy * contact.ny);

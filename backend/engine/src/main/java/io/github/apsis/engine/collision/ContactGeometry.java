@@ -76,6 +76,20 @@ final class ContactGeometry {
         fill(bodies, a, bodies.x(a), bodies.y(a), b, xb, yb);
     }
 
+    /** The gap as the bodies stand now, alone: without a normal it takes no division. */
+    double gapNow(Bodies bodies, int a, int b) {
+        if (b < 0 && walls != null) {
+            return walls.gap(b, bodies.x(a), bodies.y(a), bodies.radius(a));
+        }
+        double dx = bodies.x(b) - bodies.x(a);
+        double dy = bodies.y(b) - bodies.y(a);
+        if (period != null) {
+            dx = period.nearestX(dx);
+            dy = period.nearestY(dy);
+        }
+        return Math.sqrt(dx * dx + dy * dy) - bodies.radius(a) - bodies.radius(b);
+    }
+
     /** How fast the partners close at their present velocities; negative when they separate. */
     double closingSpeed(Bodies bodies, int a, int b) {
         double wx = (b < 0 ? 0 : bodies.vx(b)) - bodies.vx(a);

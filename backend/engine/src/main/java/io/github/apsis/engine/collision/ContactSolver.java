@@ -23,13 +23,13 @@ public final class ContactSolver {
     private final RestingContacts resting;
     private final @Nullable WallStop stop;
     private final HeldBodies held = new HeldBodies();
-    private final Standstill standstill = new Standstill(paths, touching, held);
+    private final Standstill standstill;
 
     /**
      * @param restitution between bodies; empty when they do not collide with each other
      * @param boundary whose walls, if it has any, are hit as well
      * @param team that looks for who may meet
-     * @param workspace whose columns {@link #resolve} uses
+     * @param workspace whose columns {@link #resolve} and {@link #settle} use
      */
     public ContactSolver(
             OptionalDouble restitution, Boundary boundary, ContactMode mode, Team team, Workspace workspace) {
@@ -41,6 +41,7 @@ public final class ContactSolver {
         impacts = new Impacts(
                 restitution.orElse(0), wallRestitution, broadPhase, walls, period, paths, approach, touching, mode);
         resting = new RestingContacts(touching, approach, walls, period);
+        standstill = new Standstill(paths, touching, held, workspace);
         stop = walls == null ? null : new WallStop(walls);
     }
 

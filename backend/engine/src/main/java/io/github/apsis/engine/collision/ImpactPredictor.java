@@ -215,7 +215,7 @@ final class ImpactPredictor {
         }
         meeting.of(bodies, a, b);
         if (mode == ContactMode.TICK && period == null && approach.isGentleAlways(bodies, a, b)) {
-            if (meeting.touches(bodies, sumOfRadii) || endsNear(bodies, a, b, sumOfRadii)) {
+            if (endsNear(bodies, a, b, sumOfRadii) || meeting.touches(bodies, sumOfRadii)) {
                 gentle.add(a, b); // by far the usual case in a heap, and nobody asks when
             }
             return;
@@ -323,7 +323,7 @@ final class ImpactPredictor {
 
     /** Lists a contact as it is where the later of the two paths begins. */
     private void rest(Bodies bodies, int a, int b) {
-        approach.measure(bodies, a, b, beginning(a, b));
+        approach.locate(bodies, a, b, beginning(a, b));
         if (approach.contact().inverseMass > 0) {
             touching.add(a, b, approach.contact());
         }

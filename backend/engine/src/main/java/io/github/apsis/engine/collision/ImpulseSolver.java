@@ -136,9 +136,23 @@ final class ImpulseSolver {
     private boolean areRight(double tolerance, double rounding) {
         most = separate();
         allowed = Math.max(rounding, tolerance * most);
+        error = error();
+        if (error <= GOOD_ENOUGH * allowed || most > FASTEST) {
+            return true;
+        }
         longest = 1.8 / matrix.norm();
         assess();
-        return error <= GOOD_ENOUGH * allowed || most > FASTEST;
+        return false;
+    }
+
+    private double error() {
+        double largest = 0;
+        for (int k = 0; k < size(); k++) {
+            double w = gradient[k];
+            double misses = impulse[k] > 0 ? Math.abs(w) : -w;
+            largest = Math.max(largest, misses / matrix.scale(k));
+        }
+        return largest;
     }
 
     private int descend(int mostRounds) {

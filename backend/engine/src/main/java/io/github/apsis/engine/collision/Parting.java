@@ -84,9 +84,11 @@ final class Parting {
         for (int k = 0; k < touching.size(); k++) {
             int a = touching.first(k);
             int b = touching.second(k);
-            contact.fillNow(bodies, a, b);
+            double gap = contact.gapNow(bodies, a, b);
             double size = bodies.radius(a) + (b < 0 ? 0 : bodies.radius(b));
-            worst = Math.max(worst, -(contact.gap + allowed(bodies, a, b, dt)) / size);
+            if (-gap > SLOP * size) { // or it lies no deeper than is allowed anyway
+                worst = Math.max(worst, -(gap + allowed(bodies, a, b, dt)) / size);
+            }
         }
         return worst;
     }

@@ -59,7 +59,11 @@ final class RestingContacts {
     private final HeapSolver settling = new HeapSolver(STIFFNESS_OF_SETTLING);
     private final ContactPushes pushes = new ContactPushes(solver);
     private boolean isQuiet; // in this tick
-    private int[] settled = new int[16]; // the contacts that are closed at the end of the tick
+
+    // The contacts that are closed at the end of the tick.
+    private int[] settled = new int[16];
+    private double[] settledX = new double[16]; // their unit normals
+    private double[] settledY = new double[16];
 
     RestingContacts(Touching touching, Approach approach, @Nullable WallSet walls, @Nullable Period period) {
         this.touching = touching;
@@ -226,8 +230,7 @@ final class RestingContacts {
         for (int k = 0; k < touching.size(); k++) {
             int a = touching.first(k);
             int b = touching.second(k);
-            contact.fillNow(bodies, a, b);
-            solver.measured(k, (contact.gap - Math.min(0, touching.firstGap(k))) / dt);
+            solver.measured(k, (contact.gapNow(bodies, a, b) - Math.min(0, touching.firstGap(k))) / dt);
             farthest = Math.max(farthest, Math.max(Math.abs(bodies.x(a)), Math.abs(bodies.y(a))));
             fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
             moving = Math.max(moving, moving(bodies, a, b));
@@ -248,8 +251,9 @@ final class RestingContacts {
         for (int s = 0; s < solver.size(); s++) {
             int a = touching.first(settled[s]);
             int b = touching.second(settled[s]);
-            contact.fillNow(bodies, a, b);
-            solver.measured(s, -contact.closingSpeed(bodies, a, b));
+            double wx = (b < 0 ? 0 : bodies.vx(b)) - bodies.vx(a);
+            double wy = (b < 0 ? 0 : bodies.vy(b)) - bodies.vy(a);
+            solver.measured(s, wx * settledX[s] + wy * settledY[s]);
             fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
             moving = Math.max(moving, moving(bodies, a, b));
         }
@@ -260,6 +264,8 @@ final class RestingContacts {
     private void gather(Bodies bodies) {
         if (touching.size() > settled.length) {
             settled = new int[Math.max(touching.size(), 2 * settled.length)];
+            settledX = new double[settled.length];
+            settledY = new double[settled.length];
         }
         solver.begin(touching.size(), bodies);
         for (int k = 0; k < touching.size(); k++) {
@@ -270,6 +276,8 @@ final class RestingContacts {
             boolean closed = contact.gap <= ImpactPredictor.CLOSED * size;
             if (closed && (touching.holding(k) > 0 || approach.isGentleNow(bodies, a, b, contact))) {
                 settled[solver.size()] = k;
+                settledX[solver.size()] = contact.nx;
+                settledY[solver.size()] = contact.ny;
                 solver.add(a, b, contact.nx, contact.ny, touching.settling(k));
             }
         }

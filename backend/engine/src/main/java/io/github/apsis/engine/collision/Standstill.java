@@ -1,7 +1,7 @@
 package io.github.apsis.engine.collision;
 
 import io.github.apsis.engine.body.Bodies;
-import java.util.BitSet;
+import io.github.apsis.engine.spatial.Workspace;
 
 /**
  * What lies still. Impulses of a large heap are right to nine digits, it creeps by what they miss, its contacts change by that, and
@@ -18,62 +18,57 @@ import java.util.BitSet;
 final class Standstill {
     private static final double STILL = 1e-5;
 
+    // What is true of one of a heap is true of it.
+    private static final int MOVES = 1;
+    private static final int BORNE = 2;
+
     private final Paths paths;
     private final Touching touching;
     private final HeldBodies held;
-    private int[] heap = new int[16]; // of each body: another of its heap, itself for the first
-    private final BitSet slow = new BitSet(); // the first of each heap of which all are
-    private final BitSet borne = new BitSet(); // the first of each heap that lies on something
+    private final Workspace workspace;
+    private int[] heap = new int[0]; // of each body: another of its heap, itself for the first
+    private int[] state = new int[0]; // of the first of each heap
 
-    Standstill(Paths paths, Touching touching, HeldBodies held) {
+    Standstill(Paths paths, Touching touching, HeldBodies held, Workspace workspace) {
         this.paths = paths;
         this.touching = touching;
         this.held = held;
+        this.workspace = workspace;
     }
 
     /** Puts back what has hardly moved in this tick, and books it to what bears it. */
     void stop(Bodies bodies) {
-        if (join(bodies)) {
+        workspace.take(this);
+        heap = workspace.ints(0, bodies.count());
+        state = workspace.ints(1, bodies.count());
+        boolean anySlow = false;
+        for (int i = held.next(0); i >= 0; i = held.next(i + 1)) {
+            heap[i] = i;
+            state[i] = isSlow(bodies, i) ? 0 : MOVES;
+            anySlow |= state[i] == 0;
+        }
+        if (anySlow) {
+            for (int k = 0; k < touching.size(); k++) {
+                join(bodies, touching.first(k), touching.second(k));
+            }
             for (int i = held.next(0); i >= 0; i = held.next(i + 1)) {
-                int first = first(i);
-                if (slow.get(first) && borne.get(first)) {
+                if (state[first(i)] == BORNE) {
                     stop(bodies, i);
                 }
             }
         }
     }
 
-    /** Joins the bodies that touch to heaps; returns whether any body is slow. */
-    private boolean join(Bodies bodies) {
-        if (bodies.count() > heap.length) {
-            heap = new int[Math.max(bodies.count(), heap.length + heap.length / 8)];
-        }
-        slow.clear();
-        borne.clear();
-        for (int i = held.next(0); i >= 0; i = held.next(i + 1)) {
-            heap[i] = i;
-            slow.set(i, isSlow(bodies, i));
-        }
-        if (slow.isEmpty()) {
-            return false;
-        }
-        for (int k = 0; k < touching.size(); k++) {
-            join(bodies, touching.first(k), touching.second(k));
-        }
-        return true;
-    }
-
     private void join(Bodies bodies, int a, int b) {
         if (b < 0 || bodies.isFixed(b)) {
-            borne.set(first(a));
+            state[first(a)] |= BORNE;
         } else if (bodies.isFixed(a)) {
-            borne.set(first(b));
+            state[first(b)] |= BORNE;
         } else {
             int one = first(a);
             int other = first(b);
             heap[other] = one;
-            slow.set(one, slow.get(one) && slow.get(other));
-            borne.set(one, borne.get(one) || borne.get(other));
+            state[one] |= state[other];
         }
     }
 

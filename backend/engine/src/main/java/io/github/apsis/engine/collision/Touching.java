@@ -20,7 +20,8 @@ final class Touching {
     private double[] settling = new double[16];
     private double[] parting = new double[16];
 
-    // Of the last tick.
+    // Of the last tick, and in first and second what has not been replaced yet.
+    private int sizeBefore;
     private PairIndex indexBefore = new PairIndex();
     private double[] holdingBefore = new double[16];
     private double[] settlingBefore = new double[16];
@@ -41,7 +42,9 @@ final class Touching {
         } else {
             removals = bodies.removals(); // slots mean other bodies now
             index.clear();
+            size = 0;
         }
+        sizeBefore = size;
         size = 0;
     }
 
@@ -102,8 +105,10 @@ final class Touching {
         if (size == first.length) {
             grow(2 * size);
         }
-        int before = indexBefore.find(a, b);
         int k = size++;
+        int before = k < sizeBefore && first[k] == a && second[k] == b
+                ? k
+                : indexBefore.find(a, b); // most are where they were
         first[k] = a;
         second[k] = b;
         normalX[k] = beginning.nx;

@@ -12,6 +12,7 @@ import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.force.UniformField;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Rng;
+import io.github.apsis.engine.spatial.Workspace;
 import org.junit.jupiter.api.Test;
 
 /** What lies still, what moves though it is slow, and the books of both. */
@@ -25,7 +26,7 @@ class StandstillTest {
     private final Paths paths = new Paths();
     private final Touching touching = new Touching();
     private final HeldBodies held = new HeldBodies();
-    private final Standstill standstill = new Standstill(paths, touching, held);
+    private final Standstill standstill = new Standstill(paths, touching, held, new Workspace());
     private final ContactGeometry contact = new ContactGeometry(null, null);
 
     @Test
