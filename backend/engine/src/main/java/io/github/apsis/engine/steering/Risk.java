@@ -11,11 +11,13 @@ import org.jspecify.annotations.Nullable;
  * <pre>
  *   need(t) = margin · (0.7 + 0.3 t/H)        left = (1 − t/H)²
  *   too close: 4 (c + left) (need − gap) / margin        touching: + 4 (0.15 + left) (1 + 8 depth / margin)
+ *   overlapping, or nearly: + 100 (1 − t/0.6H)² until 0.6 H
  * </pre>
  *
  * <p>c is 0.02, and 0.2 against ships. The depth tells a graze from a blow: without it a ship in a jam, where every course touches
  * somebody, flew straight into one that crossed. Parting early from ships and counting depth took circles of 200 from 6 meetings in 30
- * seeds to 2 in the same.
+ * seeds to 2 in the same. A real overlap outweighs all else that a course may cost: ships in a jam then break away while they can. That
+ * took circles of 200 from 14 meetings in 200 seeds to none, and one in 200 others.
  *
  * <p>Where two are closer already than they should be, need starts from there and grows: what counts is to get apart. The worst of
  * all neighbours instead of the sum hides the second threat behind the first.
@@ -30,6 +32,9 @@ final class Risk {
     private static final double BEYOND = 0.03; // the same after the horizon: enough to leave a gap that closes slowly
     private static final double DEEPER = 8; // times more per margin of overlap: of two evils the graze
     private static final double ALMOST = 0.2; // of the margin: closer counts as touching
+    private static final double GRAZE = 0.08; // of the full margin: closer counts as an overlap
+    private static final double OVERLAP = 100; // soon, more than all else together
+    private static final double OVERLAP_WITHIN = 0.6; // of the horizon: later ships may have changed their minds
     private static final double APART = 3; // margins per horizon in which to part
     private static final double AT_ONCE = 0.05; // margins: two that touch must part, and not merely stay
     private static final double STRAIGHT = 1e-6; // radians
@@ -250,6 +255,10 @@ final class Risk {
             severity += TOUCH
                     * ((when > horizon ? BEYOND : TOUCH_LATE) + late)
                     * (1 + DEEPER * Math.min(1, (hard - gap) / fullMargin));
+            if (gap < GRAZE * fullMargin) {
+                double soon = Math.max(0, 1 - f / OVERLAP_WITHIN);
+                severity += OVERLAP * soon * soon;
+            }
         }
         return severity;
     }

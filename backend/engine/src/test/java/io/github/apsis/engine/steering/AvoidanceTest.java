@@ -106,6 +106,24 @@ class AvoidanceTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(longs = {1, 4, 6}) // in these two ships overlapped, by up to 1.6, while that was only dear
+    void ships_in_a_jam_of_240_break_away_before_they_overlap(long seed) {
+        int count = 240;
+        double radius = count * 20.9 / (2 * Math.PI); // 5 from rim to rim at the start
+        var rng = new Rng(seed);
+        for (int i = 0; i < count; i++) {
+            double angle = 2 * Math.PI * i / count;
+            double x = radius * StrictMath.cos(angle);
+            double y = radius * StrictMath.sin(angle);
+            seeker(x + rng.between(-1, 1), y + rng.between(-1, 1), -x, -y);
+        }
+
+        fly(25);
+
+        assertThat(closest).as("clearance of seed %d", seed).isGreaterThan(0);
+    }
+
     @Test
     void a_ship_between_two_equal_threats_does_not_tremble() {
         BodyId ship = seeker(-300, 0, 400, 0);
