@@ -66,10 +66,10 @@ public final class World implements AutoCloseable {
     public World(WorldSpec spec) {
         this.spec = spec;
         team = new Team(spec.threads());
-        var workspace = new Workspace(); // gravity is over when contacts begin
+        var workspace = new Workspace(); // decisions, gravity and contacts follow each other
         gravity = gravityOf(spec, team, workspace);
         forces = new Forces(lawsOf(gravity, spec));
-        steering = steeringOf(spec, team);
+        steering = steeringOf(spec, team, workspace);
         stepper = stepperOf(spec, forces, team, workspace);
         wrecks = spec.shipsAreMortal() ? new Wrecks(bodies) : null;
         if (wrecks != null) {
@@ -373,9 +373,9 @@ public final class World implements AutoCloseable {
         return laws;
     }
 
-    private static Steering steeringOf(WorldSpec spec, Team team) {
+    private static Steering steeringOf(WorldSpec spec, Team team, Workspace workspace) {
         var walls = spec.boundary() instanceof Boundary.Walls w ? w.box() : null;
-        return new Steering(spec.steering(), spec.gravity(), spec.seed(), walls, periodOf(spec), team);
+        return new Steering(spec.steering(), spec.gravity(), spec.seed(), walls, periodOf(spec), team, workspace);
     }
 
     private static @Nullable Period periodOf(WorldSpec spec) {

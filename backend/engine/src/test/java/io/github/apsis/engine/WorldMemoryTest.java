@@ -3,6 +3,7 @@ package io.github.apsis.engine;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.apsis.engine.body.BodyDef;
+import io.github.apsis.engine.body.ShipLimits;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Rng;
 import java.lang.reflect.Array;
@@ -71,13 +72,35 @@ class WorldMemoryTest {
         assertThat(bounces[0]).as("it has contacts").isGreaterThan(bodies / 10);
     }
 
+    /** Ships have columns of their own, and search among columns of all bodies. */
+    @Test
+    void where_one_in_twenty_is_a_ship_a_body_takes_no_more_than_220_bytes() {
+        World swarm = new World(WorldSpec.builder()
+                .gravity(1)
+                .softening(1)
+                .tree(0.7)
+                .contacts(1)
+                .build());
+        fill(swarm, MANY, 300, 1, 20, 60);
+
+        assertThat(bytesPerBody(swarm)).isLessThan(220);
+    }
+
     private static void fill(World world, int bodies, double half, double radius, double speed) {
+        fill(world, bodies, half, radius, bodies + 1, speed);
+    }
+
+    /** Rows of bodies, of which every so-manieth is a ship. */
+    private static void fill(World world, int bodies, double half, double radius, int ships, double speed) {
         var rng = new Rng(7);
         int columns = (int) Math.ceil(Math.sqrt(bodies));
         for (int i = 0; i < bodies; i++) {
             double x = half * (2 * (i % columns + 0.5) / columns - 1);
             double y = half * (2 * (i / columns + 0.5) / columns - 1);
-            world.add(BodyDef.planet(x, y, 1, radius).moving(rng.between(-speed, speed), rng.between(-speed, speed)));
+            BodyDef body = (i + 1) % ships == 0
+                    ? BodyDef.ship(x, y, 1, radius, new ShipLimits(60, 100))
+                    : BodyDef.planet(x, y, 1, radius);
+            world.add(body.moving(rng.between(-speed, speed), rng.between(-speed, speed)));
         }
     }
 

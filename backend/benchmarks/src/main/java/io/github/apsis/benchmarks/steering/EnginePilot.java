@@ -13,6 +13,7 @@ import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.body.ShipLimits;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.parallel.Team;
+import io.github.apsis.engine.spatial.Workspace;
 import io.github.apsis.engine.steering.Preference;
 import io.github.apsis.engine.steering.Steering;
 import io.github.apsis.engine.steering.SteeringSpec;
@@ -51,7 +52,8 @@ final class EnginePilot implements Pilot {
                 heading,
                 box > 0 ? Aabb.centred(box, box) : null,
                 null,
-                Team.ofOne()); // G is 1: the mass of a planet is its mu
+                Team.ofOne(),
+                new Workspace()); // G is 1: the mass of a planet is its mu
     }
 
     @Override

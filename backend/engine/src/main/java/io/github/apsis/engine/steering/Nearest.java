@@ -19,8 +19,9 @@ final class Nearest {
     static final int MOST = 24;
 
     private static final double BASE = 1.0 / 3; // of the top speed: what either may still add to the approach
-    private static final double SHIPS = 0.6; // of the horizon
-    private static final double ROCKS = 1.6; // of the horizon
+    private static final double ROCKS = 1.6; // of the horizon, as the next
+    private static final double SHIPS = 0.6;
+    private static final double[] SHARE = {ROCKS, SHIPS}; // without a branch
     private static final double ROUNDING = 1 + 1e-9;
     private static final double ESCAPABLE = 0.8; // share of a ship's largest acceleration that gravity may take
 
@@ -52,11 +53,6 @@ final class Nearest {
         this.period = period;
     }
 
-    /** For how much of the horizon a body is looked at. */
-    static double share(Bodies bodies, int j) {
-        return bodies.isShip(j) ? SHIPS : ROCKS;
-    }
-
     /** Finds the neighbours of the ship in slot {@code i}. */
     void find(
             Neighbours neighbours,
@@ -78,9 +74,6 @@ final class Nearest {
         escapable = ESCAPABLE * mostAcceleration;
         pull = gravity > 0 ? Math.sqrt(gravity / escapable) : 0;
         count = 0;
-        if (found.length < neighbours.capacity()) {
-            found = new int[neighbours.capacity()];
-        }
         int images = period == null ? 0 : 1; // on each side
         for (int column = -images; column <= images; column++) {
             for (int row = -images; row <= images; row++) {
@@ -96,23 +89,24 @@ final class Nearest {
      * branch in it: which they are is as good as random, and a search took twice as long with one.
      */
     int sift(Neighbours all, int from, int to) {
+        if (found.length < to - from) {
+            found = new int[Math.max(to - from, 2 * found.length)];
+        }
         int[] into = found;
+        int[] items = all.item;
         double[] xs = all.x;
         double[] ys = all.y;
-        double[] vxs = all.vx;
-        double[] vys = all.vy;
-        double[] radii = all.radius;
         double[] roots = all.rootMass;
-        double[] shares = all.share;
+        double[] motions = all.motion;
         int n = 0;
         for (int p = from; p < to; p++) {
             double dx = xs[p] - x;
             double dy = ys[p] - y;
             double d2 = dx * dx + dy * dy;
             double d = Math.sqrt(d2);
-            double closing = Math.max(0, -((vxs[p] - vx) * dx + (vys[p] - vy) * dy));
-            double size = Math.max(radii[p], pull * roots[p]);
-            double within = (size + radius) * d + shares[p] * horizon * (base * d + closing);
+            double closing = Math.max(0, -((motions[3 * p] - vx) * dx + (motions[3 * p + 1] - vy) * dy));
+            double size = Math.max(motions[3 * p + 2], pull * roots[p]);
+            double within = (size + radius) * d + SHARE[items[p] >>> 31] * horizon * (base * d + closing);
             into[n] = p;
             n += 1 - (int) (Double.doubleToRawLongBits(ROUNDING * within - d2) >>> 63); // 1 unless it is negative
         }
@@ -130,15 +124,15 @@ final class Nearest {
         double dx = all.x[p] - x;
         double dy = all.y[p] - y;
         double d2 = dx * dx + dy * dy;
-        double closing = -((all.vx[p] - vx) * dx + (all.vy[p] - vy) * dy); // times the distance
-        double far = all.radius[p] + radius + (closing > 0 ? reach : idle);
+        double closing = -((all.motion[3 * p] - vx) * dx + (all.motion[3 * p + 1] - vy) * dy); // times the distance
+        double far = all.motion[3 * p + 2] + radius + (closing > 0 ? reach : idle);
         if (d2 > far * far || j == self || !isNearestImage(dx, dy)) {
             return;
         }
         double d = Math.sqrt(d2);
         double gap = d - size(j) - radius;
         double speed = base * d + Math.max(0, closing); // times the distance, like the next line
-        if (gap * d > all.share[p] * horizon * speed) {
+        if (gap * d > SHARE[all.item[p] >>> 31] * horizon * speed) {
             return;
         }
         insert(j, d > 0 ? gap * d / speed : gap);

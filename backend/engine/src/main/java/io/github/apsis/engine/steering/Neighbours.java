@@ -1,6 +1,7 @@
 package io.github.apsis.engine.steering;
 
 import io.github.apsis.engine.body.Bodies;
+import io.github.apsis.engine.spatial.Workspace;
 import java.util.Arrays;
 
 /**
@@ -21,24 +22,27 @@ final class Neighbours {
     private int small; // how many are in cells; the large ones stand behind them
     private double largestRadius; // of those in cells
 
+    private final Workspace workspace;
+    private int buckets;
     private int[] start = new int[0]; // by bucket + 1: where its positions begin
     private int[] bucket = new int[0]; // by slot
-    private int[] item = new int[0]; // by position, as all below
-    // The columns that a search reads, for all bodies in turn.
+
+    // By position, the columns that a search reads for all bodies in turn.
+    int[] item = new int[0]; // the slot, of a ship its complement
     double[] x = new double[0];
     double[] y = new double[0];
-    double[] vx = new double[0];
-    double[] vy = new double[0];
-    double[] radius = new double[0];
     double[] rootMass = new double[0]; // mass^(1/2)
-    double[] share = new double[0]; // of the horizon for which it is looked at
+    double[] motion = new double[0]; // vx, vy, and the radius
+
+    Neighbours(Workspace workspace) {
+        this.workspace = workspace;
+    }
 
     /** Sorts all bodies, for searches of about this range, length. */
     void sort(Bodies bodies, double range) {
         count = bodies.count();
         cell = range / CELLS_PER_RANGE;
         makeRoom();
-        Arrays.fill(start, 0);
         small = 0;
         largestRadius = 0;
         for (int i = 0; i < count; i++) {
@@ -53,7 +57,7 @@ final class Neighbours {
                 largestRadius = Math.max(largestRadius, r);
             }
         }
-        for (int b = 1; b < start.length; b++) {
+        for (int b = 1; b < buckets + 2; b++) {
             start[b] += start[b - 1];
         }
         int last = count;
@@ -67,34 +71,27 @@ final class Neighbours {
     }
 
     private void put(Bodies bodies, int i, int position) {
-        item[position] = i;
+        item[position] = bodies.isShip(i) ? ~i : i;
         x[position] = bodies.x(i);
         y[position] = bodies.y(i);
-        vx[position] = bodies.vx(i);
-        vy[position] = bodies.vy(i);
-        radius[position] = bodies.radius(i);
         rootMass[position] = Math.sqrt(bodies.mass(i));
-        share[position] = Nearest.share(bodies, i);
+        motion[3 * position] = bodies.vx(i);
+        motion[3 * position + 1] = bodies.vy(i);
+        motion[3 * position + 2] = bodies.radius(i);
     }
 
     private void makeRoom() {
-        int buckets = Math.max(FEWEST_BUCKETS, 4 * Integer.highestOneBit(Math.max(1, count)));
+        buckets = Math.max(FEWEST_BUCKETS, 4 * Integer.highestOneBit(Math.max(1, count)));
         mask = buckets - 1;
-        if (start.length != buckets + 2) {
-            start = new int[buckets + 2];
-        }
-        if (item.length < count) {
-            int capacity = count + count / 8;
-            bucket = new int[capacity];
-            item = new int[capacity];
-            x = new double[capacity];
-            y = new double[capacity];
-            vx = new double[capacity];
-            vy = new double[capacity];
-            radius = new double[capacity];
-            rootMass = new double[capacity];
-            share = new double[capacity];
-        }
+        workspace.take(this);
+        item = workspace.ints(0, count);
+        bucket = workspace.ints(1, count);
+        start = workspace.ints(2, buckets + 2);
+        Arrays.fill(start, 0, buckets + 2, 0);
+        x = workspace.doubles(0, count);
+        y = workspace.doubles(1, count);
+        rootMass = workspace.doubles(2, count);
+        motion = workspace.doubles(3, 3 * count);
     }
 
     private long cellOf(double coordinate) {
@@ -135,13 +132,8 @@ final class Neighbours {
         }
     }
 
-    /** How many positions there may be before there must be more room. */
-    int capacity() {
-        return item.length;
-    }
-
     /** Of the body at a position. */
     int slot(int p) {
-        return item[p];
+        return item[p] < 0 ? ~item[p] : item[p];
     }
 }

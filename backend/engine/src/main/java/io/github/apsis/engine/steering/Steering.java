@@ -5,6 +5,7 @@ import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.parallel.Team;
 import io.github.apsis.engine.parallel.Work;
+import io.github.apsis.engine.spatial.Workspace;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,7 +23,7 @@ public final class Steering {
 
     private static final int PER_PIECE = 32;
 
-    private final Neighbours neighbours = new Neighbours();
+    private final Neighbours neighbours;
     private final Courses courses = new Courses();
     private final Team alone = Team.ofOne();
     private final Team team;
@@ -42,10 +43,17 @@ public final class Steering {
      * @param walls around the ships
      * @param period of a world that repeats itself
      * @param team that shares the ships where there are many
+     * @param workspace whose columns {@link #decide} uses
      */
     public Steering(
-            SteeringSpec spec, double gravity, long seed, @Nullable Aabb walls, @Nullable Period period, Team team) {
-        this(spec, gravity, new Wander(seed, walls), walls, period, team);
+            SteeringSpec spec,
+            double gravity,
+            long seed,
+            @Nullable Aabb walls,
+            @Nullable Period period,
+            Team team,
+            Workspace workspace) {
+        this(spec, gravity, new Wander(seed, walls), walls, period, team, workspace);
     }
 
     /**
@@ -59,8 +67,10 @@ public final class Steering {
             Preference wander,
             @Nullable Aabb walls,
             @Nullable Period period,
-            Team team) {
+            Team team,
+            Workspace workspace) {
         this.team = team;
+        neighbours = new Neighbours(workspace);
         helms = new Helm[team.size()];
         for (int k = 0; k < helms.length; k++) {
             helms[k] = new Helm(spec, neighbours, courses, gravity, wander, walls, period);

@@ -9,6 +9,7 @@ import io.github.apsis.engine.body.ShipLimits;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Rng;
 import io.github.apsis.engine.parallel.Team;
+import io.github.apsis.engine.spatial.Workspace;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -62,7 +63,7 @@ class SteeringDeterminismTest {
         Bodies forwards = crowd();
         Bodies backwards = crowd();
         var steering = steering();
-        var neighbours = new Neighbours();
+        var neighbours = new Neighbours(new Workspace());
         var courses = new Courses();
         Helm[] helms = {helm(neighbours, courses), helm(neighbours, courses), helm(neighbours, courses)};
 
@@ -104,7 +105,7 @@ class SteeringDeterminismTest {
     }
 
     private static Steering steering(Team team) {
-        return new Steering(SteeringSpec.DEFAULT, 0, 7, WALLS, null, team);
+        return new Steering(SteeringSpec.DEFAULT, 0, 7, WALLS, null, team, new Workspace());
     }
 
     private static Helm helm(Neighbours neighbours, Courses courses) {
