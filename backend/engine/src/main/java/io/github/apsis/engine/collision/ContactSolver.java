@@ -23,7 +23,9 @@ public final class ContactSolver {
     private final RestingContacts resting;
     private final @Nullable WallStop stop;
     private final HeldBodies held = new HeldBodies();
+    private final LyingHeaps lying = new LyingHeaps(paths, touching);
     private final Standstill standstill;
+    private boolean heldOnce; // and not again, in this tick
 
     /**
      * @param restitution between bodies; empty when they do not collide with each other
@@ -39,9 +41,18 @@ public final class ContactSolver {
         var broadPhase = restitution.isPresent() ? new BroadPhase(period, team, workspace) : null;
         var approach = new Approach(paths, new ContactGeometry(walls, period), touching, mode);
         impacts = new Impacts(
-                restitution.orElse(0), wallRestitution, broadPhase, walls, period, paths, approach, touching, mode);
+                restitution.orElse(0),
+                wallRestitution,
+                broadPhase,
+                walls,
+                period,
+                paths,
+                approach,
+                touching,
+                lying,
+                mode);
         resting = new RestingContacts(touching, approach, walls, period);
-        standstill = new Standstill(paths, touching, held, workspace);
+        standstill = new Standstill(paths, touching, held, lying, workspace);
         stop = walls == null ? null : new WallStop(walls);
     }
 
@@ -59,11 +70,15 @@ public final class ContactSolver {
     /** Bends the paths at every contact. */
     public void resolve(Bodies bodies) {
         impacts.resolve(bodies);
-        if (touching.size() > 0) {
+        boolean anyHeld = touching.size() > 0;
+        if (anyHeld) {
             hold(bodies);
-            if (stop != null) {
-                stop.stop(bodies, paths.dt());
-            }
+        }
+        if (lying.areLeftAlone()) {
+            lying.hold(bodies);
+        }
+        if (stop != null && anyHeld) {
+            stop.stop(bodies, paths.dt());
         } else if (stop != null) {
             stop.stopBent(bodies, paths);
         }
@@ -73,7 +88,9 @@ public final class ContactSolver {
         held.note(bodies, touching);
         int before = touching.size();
         resting.hold(bodies, paths.dt());
+        heldOnce = true;
         for (int time = 1; time < MOST_HOLDS && impacts.findIntruders(bodies, held); time++) {
+            heldOnce = false;
             held.note(bodies, touching);
             resting.holdAgain(bodies, paths.dt(), before);
             before = touching.size();
@@ -83,10 +100,13 @@ public final class ContactSolver {
 
     /** Leaves no pair at rest closing, when positions and velocities belong to the same time. */
     public void settle(Bodies bodies) {
+        if (lying.areLeftAlone()) {
+            lying.settle(bodies);
+        }
         if (touching.size() > 0) {
             resting.settle(bodies);
             if (resting.mayCreep()) {
-                standstill.stop(bodies);
+                standstill.stop(bodies, heldOnce);
             }
         }
     }

@@ -22,6 +22,7 @@ final class ImpactPredictor {
     private final Approach approach;
     private final ImpactQueue queue;
     private final Touching touching;
+    private final LyingHeaps lying;
     private final Meeting meeting;
     private final ContactMode mode;
     private final PairIndex hopping = new PairIndex(); // come to rest in this tick
@@ -39,6 +40,7 @@ final class ImpactPredictor {
             Approach approach,
             ImpactQueue queue,
             Touching touching,
+            LyingHeaps lying,
             ContactMode mode,
             int mostImpacts) {
         this.broadPhase = broadPhase;
@@ -48,6 +50,7 @@ final class ImpactPredictor {
         this.approach = approach;
         this.queue = queue;
         this.touching = touching;
+        this.lying = lying;
         this.mode = mode;
         this.mostImpacts = mostImpacts;
         this.meeting = new Meeting(paths, period, mode);
@@ -57,6 +60,10 @@ final class ImpactPredictor {
     void predictAll(Bodies bodies) {
         queue.clear();
         touching.begin(bodies);
+        lying.begin(bodies);
+        if (!lying.areLeftAlone()) {
+            recallLying(bodies);
+        }
         hopping.clear();
         gentle.clear(bodies.count());
         if (walls != null) {
@@ -70,25 +77,40 @@ final class ImpactPredictor {
         listGentle(bodies);
     }
 
+    /** The contacts of the heaps that lie are those of the last tick, so they need not be found to be listed. */
+    private void recallLying(Bodies bodies) {
+        for (int k = 0; k < lying.contacts(); k++) {
+            int a = lying.first(k);
+            int b = lying.second(k);
+            approach.locate(bodies, a, b, beginning(a, b));
+            touching.recall(bodies, a, b, approach.contact(), lying.holding(k), lying.settling(k));
+        }
+        lying.forget(bodies);
+    }
+
     private void predictAllWalls(Bodies bodies, WallSet set) {
         if (mode == ContactMode.EXACT) {
             for (int i = 0; i < bodies.count(); i++) {
-                predictWalls(bodies, i);
+                if (!lying.contains(i)) {
+                    predictWalls(bodies, i);
+                }
             }
             return;
         }
         for (int from = 0; from < bodies.count(); from += beyond.length) {
             int found = set.findBeyond(bodies, from, beyond);
             for (int k = 0; k < found; k++) {
-                predictWalls(bodies, beyond[k]);
+                if (!lying.contains(beyond[k])) {
+                    predictWalls(bodies, beyond[k]);
+                }
             }
         }
     }
 
     private void predictPairs(Bodies bodies, BroadPhase near, int pairs) {
-        if (mode == ContactMode.EXACT || period != null) {
+        if (mode == ContactMode.EXACT || period != null || lying.areLeftAlone()) {
             for (int k = 0; k < pairs; k++) {
-                predict(bodies, near.first(k), near.second(k));
+                predictUnlessLying(bodies, near.first(k), near.second(k));
             }
             return;
         }
@@ -97,6 +119,12 @@ final class ImpactPredictor {
             for (int k = 0; k < found; k++) {
                 predict(bodies, near.first(close[k]), near.second(close[k]));
             }
+        }
+    }
+
+    private void predictUnlessLying(Bodies bodies, int a, int b) {
+        if (!lying.contains(a) || !lying.contains(b)) {
+            predict(bodies, a, b);
         }
     }
 
@@ -192,7 +220,7 @@ final class ImpactPredictor {
             if (a != b && sumOfRadii > 0) {
                 meeting.of(bodies, a, b);
                 if (meeting.lastDistance() < sumOfRadii * (1 - CLOSED)) {
-                    gentle.add(a, b);
+                    listLater(bodies, a, b);
                 }
             }
         }
@@ -216,7 +244,7 @@ final class ImpactPredictor {
         meeting.of(bodies, a, b);
         if (mode == ContactMode.TICK && period == null && approach.isGentleAlways(bodies, a, b)) {
             if (endsNear(bodies, a, b, sumOfRadii) || meeting.touches(bodies, sumOfRadii)) {
-                gentle.add(a, b); // by far the usual case in a heap, and nobody asks when
+                listLater(bodies, a, b); // by far the usual case in a heap, and nobody asks when
             }
             return;
         }
@@ -224,7 +252,9 @@ final class ImpactPredictor {
         if (!Double.isNaN(t)) {
             enqueue(bodies, a, b, t);
         } else if (endsNear(bodies, a, b, sumOfRadii)) {
-            gentle.add(a, b); // a neighbour that is stopped in this tick may be run into by one that falls beside it
+            listLater(
+                    bodies, a,
+                    b); // a neighbour that is stopped in this tick may be run into by one that falls beside it
         }
     }
 
@@ -290,15 +320,28 @@ final class ImpactPredictor {
      * that is beyond a wall and on its way back, for which t is NaN.
      */
     private void enqueue(Bodies bodies, int a, int b, double t) {
+        wake(bodies, a, b);
         if (Double.isNaN(t) || paths.mostImpacts(a, b) >= mostImpacts || isAtRest(bodies, a, b, t) && !mayHop(a, b)) {
             if (b < 0) {
                 rest(bodies, a, b);
             } else {
-                gentle.add(a, b);
+                listLater(bodies, a, b);
             }
         } else {
             queue.push(t, a, b, paths.impacts(a), paths.impacts(b));
         }
+    }
+
+    /** Another that touches one of those that lie wakes them all. */
+    private void wake(Bodies bodies, int a, int b) {
+        if (lying.containsFree(bodies, a) || lying.containsFree(bodies, b)) {
+            recallLying(bodies);
+        }
+    }
+
+    private void listLater(Bodies bodies, int a, int b) {
+        wake(bodies, a, b);
+        gentle.add(a, b);
     }
 
     private boolean isAtRest(Bodies bodies, int a, int b, double t) {

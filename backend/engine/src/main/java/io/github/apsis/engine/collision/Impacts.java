@@ -45,6 +45,7 @@ final class Impacts {
             Paths paths,
             Approach approach,
             Touching touching,
+            LyingHeaps lying,
             ContactMode mode) {
         this.restitution = restitution;
         this.mode = mode;
@@ -52,8 +53,8 @@ final class Impacts {
         this.wallRestitution = wallRestitution;
         this.paths = paths;
         this.approach = approach;
-        this.predictor =
-                new ImpactPredictor(broadPhase, walls, period, paths, approach, queue, touching, mode, 2 * mostBounces);
+        this.predictor = new ImpactPredictor(
+                broadPhase, walls, period, paths, approach, queue, touching, lying, mode, 2 * mostBounces);
     }
 
     /**

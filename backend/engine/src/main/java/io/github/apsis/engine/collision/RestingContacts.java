@@ -99,7 +99,7 @@ final class RestingContacts {
             if (k >= before) {
                 straighten(bodies, k, dt);
             }
-            add(k, 0);
+            add(k, k >= before && touching.isRecalled(k) ? touching.holding(k) : 0);
         }
         holdAll(bodies, dt);
         for (int k = 0; k < touching.size(); k++) {

@@ -13,7 +13,7 @@ import io.github.apsis.engine.spatial.Workspace;
  * </pre>
  *
  * <p>with a the acceleration without contacts. That is a static friction of ε, and it holds heaps as a whole: whoever is pushed by more
- * moves, and with him all that he touches. The next tick starts where this one did and finds its impulses right.
+ * moves, and with him all that he touches. The next tick starts where this one did: see {@link LyingHeaps}.
  */
 final class Standstill {
     private static final double STILL = 1e-5;
@@ -25,19 +25,25 @@ final class Standstill {
     private final Paths paths;
     private final Touching touching;
     private final HeldBodies held;
+    private final LyingHeaps lying;
     private final Workspace workspace;
     private int[] heap = new int[0]; // of each body: another of its heap, itself for the first
     private int[] state = new int[0]; // of the first of each heap
 
-    Standstill(Paths paths, Touching touching, HeldBodies held, Workspace workspace) {
+    Standstill(Paths paths, Touching touching, HeldBodies held, LyingHeaps lying, Workspace workspace) {
         this.paths = paths;
         this.touching = touching;
         this.held = held;
+        this.lying = lying;
         this.workspace = workspace;
     }
 
-    /** Puts back what has hardly moved in this tick, and books it to what bears it. */
-    void stop(Bodies bodies) {
+    /**
+     * Puts back what has hardly moved in this tick, and books it to what bears it.
+     *
+     * @param drawn whether held bodies were noted where their paths were drawn to
+     */
+    void stop(Bodies bodies, boolean drawn) {
         workspace.take(this);
         heap = workspace.ints(0, bodies.count());
         state = workspace.ints(1, bodies.count());
@@ -52,9 +58,32 @@ final class Standstill {
                 join(bodies, touching.first(k), touching.second(k));
             }
             for (int i = held.next(0); i >= 0; i = held.next(i + 1)) {
-                if (state[first(i)] == BORNE) {
+                if (isStill(i)) {
                     stop(bodies, i);
                 }
+            }
+            if (drawn) {
+                noteLying(bodies);
+            }
+        }
+    }
+
+    private boolean isStill(int i) {
+        return state[first(i)] == BORNE;
+    }
+
+    private void noteLying(Bodies bodies) {
+        for (int k = 0; k < touching.size(); k++) {
+            int a = touching.first(k);
+            int b = touching.second(k);
+            if (isStill(a) || b >= 0 && isStill(b)) {
+                lying.noteContact(k);
+            }
+        }
+        int k = 0;
+        for (int i = held.next(0); i >= 0; i = held.next(i + 1), k++) {
+            if (isStill(i) || bodies.isFixed(i)) {
+                lying.note(i, held.x(k), held.y(k));
             }
         }
     }

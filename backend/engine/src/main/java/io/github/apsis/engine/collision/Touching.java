@@ -28,6 +28,8 @@ final class Touching {
     private double[] partingBefore = new double[16];
     private long removals = -1;
     private boolean isBorne; // whether anything was given support
+    private int recalled; // contacts, one behind the other
+    private int afterRecalled;
     private double[] support = new double[32]; // x, y of the speed that contacts gave each body in the last tick
 
     /** Begins a new tick. */
@@ -46,6 +48,8 @@ final class Touching {
         }
         sizeBefore = size;
         size = 0;
+        recalled = 0;
+        afterRecalled = 0;
     }
 
     private void keep(Bodies bodies) {
@@ -117,6 +121,29 @@ final class Touching {
         holding[k] = before < 0 ? 0 : holdingBefore[before];
         settling[k] = before < 0 ? 0 : settlingBefore[before];
         parting[k] = before < 0 ? 0 : partingBefore[before];
+    }
+
+    /** Adds a contact, whose impulses of a tick ago are those of an earlier one. */
+    void recall(Bodies bodies, int a, int b, ContactGeometry beginning, double held, double settled) {
+        int k = size;
+        add(a, b, beginning);
+        if (size == k) {
+            return;
+        }
+        if (indexBefore.find(a, b) < 0) {
+            holding[k] = held;
+            settling[k] = settled;
+            double impulse = held + settled;
+            support(bodies, a, -impulse * normalX[k], -impulse * normalY[k]);
+            support(bodies, b, impulse * normalX[k], impulse * normalY[k]);
+        }
+        recalled++;
+        afterRecalled = size;
+    }
+
+    /** Whether a contact was recalled in this tick. */
+    boolean isRecalled(int k) {
+        return k < afterRecalled && k >= afterRecalled - recalled;
     }
 
     private void grow(int capacity) {

@@ -26,7 +26,8 @@ class StandstillTest {
     private final Paths paths = new Paths();
     private final Touching touching = new Touching();
     private final HeldBodies held = new HeldBodies();
-    private final Standstill standstill = new Standstill(paths, touching, held, new Workspace());
+    private final Standstill standstill =
+            new Standstill(paths, touching, held, new LyingHeaps(paths, touching), new Workspace());
     private final ContactGeometry contact = new ContactGeometry(null, null);
 
     @Test
@@ -142,7 +143,7 @@ class StandstillTest {
         paths.begin(bodies, DT);
         bodies.drift(DT);
         held.note(bodies, touching);
-        standstill.stop(bodies);
+        standstill.stop(bodies, true);
     }
 
     /** Three hundred circles of many sizes that fall into a box. */
