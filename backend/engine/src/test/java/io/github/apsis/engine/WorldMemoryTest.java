@@ -1,9 +1,11 @@
 package io.github.apsis.engine;
 
+import static io.github.apsis.engine.ReferenceCase.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.ShipLimits;
+import io.github.apsis.engine.force.UniformField;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Rng;
 import java.lang.reflect.Array;
@@ -84,6 +86,29 @@ class WorldMemoryTest {
         fill(swarm, MANY, 300, 1, 20, 60);
 
         assertThat(bytesPerBody(swarm)).isLessThan(220);
+    }
+
+    /** Three hundred discs that fall into a pit, and what they take while they are solved directly and a second after. */
+    @Test
+    void a_heap_that_lies_gives_back_the_kilobytes_that_solving_it_took() {
+        World heap = new World(WorldSpec.builder()
+                .law(new UniformField(0, -10))
+                .contacts(0.2)
+                .walls(new Aabb(0, 0, 16, 60), 0.2)
+                .build());
+        var rng = new Rng(5);
+        for (int i = 0; i < 300; i++) {
+            double r = rng.between(0.3, 0.5);
+            heap.add(BodyDef.asteroid(0.6 + 1.1 * (i % 14), 0.6 + 1.1 * (i / 14), r * r, r)
+                    .moving(rng.between(-1, 1), 0));
+        }
+        long most = 0;
+        for (int tick = 100; tick <= 2800; tick += 100) {
+            run(heap, tick);
+            most = Math.max(most, bytes(heap));
+        }
+
+        assertThat(bytes(heap)).isLessThan(most / 4);
     }
 
     private static void fill(World world, int bodies, double half, double radius, double speed) {

@@ -5,6 +5,7 @@ import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.parallel.Team;
 import io.github.apsis.engine.spatial.Workspace;
 import java.util.OptionalDouble;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,10 +18,14 @@ public final class ContactSolver {
     /** Bodies that are held off into others push those on: so far a push is followed in one tick. */
     private static final int MOST_HOLDS = 4;
 
+    /** After so many ticks in which heaps were left alone nobody keeps the memory for solving them: a second. */
+    private static final int LONG = 150;
+
     private final Paths paths = new Paths();
     private final Touching touching = new Touching();
     private final Impacts impacts;
-    private final RestingContacts resting;
+    private final Supplier<RestingContacts> restingContacts;
+    private RestingContacts resting;
     private final @Nullable WallStop stop;
     private final HeldBodies held = new HeldBodies();
     private final LyingHeaps lying = new LyingHeaps(paths, touching);
@@ -51,7 +56,8 @@ public final class ContactSolver {
                 touching,
                 lying,
                 mode);
-        resting = new RestingContacts(touching, approach, walls, period);
+        restingContacts = () -> new RestingContacts(touching, approach, walls, period);
+        resting = restingContacts.get();
         standstill = new Standstill(paths, touching, held, lying, workspace);
         stop = walls == null ? null : new WallStop(walls);
     }
@@ -84,6 +90,16 @@ public final class ContactSolver {
         }
     }
 
+    /** A heap is solved alike however long it has lain, and one that has lain for long takes no memory for it. */
+    private void forgetHeaps() {
+        if (touching.size() < ImpulseSolver.MANY && lying.ticks() == 1) {
+            resting.forgetHeap();
+        } else if (touching.size() < ImpulseSolver.MANY && lying.ticks() == LONG) {
+            resting = restingContacts.get();
+            touching.shrink();
+        }
+    }
+
     private void hold(Bodies bodies) {
         held.note(bodies, touching);
         int before = touching.size();
@@ -102,6 +118,7 @@ public final class ContactSolver {
     public void settle(Bodies bodies) {
         if (lying.areLeftAlone()) {
             lying.settle(bodies);
+            forgetHeaps();
         }
         if (touching.size() > 0) {
             resting.settle(bodies);

@@ -77,6 +77,11 @@ final class HeapSolver {
         }
     }
 
+    /** Solves the next heap as if it were the first. */
+    void forget() {
+        heap.forget();
+    }
+
     private double refine(double[] lack, double before, double allowed, double[] impulse) {
         double error = before;
         for (double next = SOFTEST; next <= STIFFEST && error > ImpulseSolver.GOOD_ENOUGH * allowed; next *= STIFFER) {

@@ -16,6 +16,7 @@ final class LyingHeaps {
     private final Paths paths;
     private final Touching touching;
     private boolean isOn; // in this tick
+    private long ticks; // that it has been on for
     private long removals; // of bodies, when all was forgotten last
 
     // Bodies, fixed ones that bear them among them.
@@ -41,6 +42,7 @@ final class LyingHeaps {
         boolean were = isOn;
         boolean sameSlots = all.removals() == removals;
         isOn = bodies > 0 && sameSlots && areDrawnAgain(all);
+        ticks = isOn ? ticks + 1 : 0;
         if (!isOn && !(were && sameSlots)) {
             forget(all); // what is not forgotten has to be recalled
         }
@@ -58,6 +60,11 @@ final class LyingHeaps {
     /** Whether there are any, and they need no impulses in this tick. */
     boolean areLeftAlone() {
         return isOn;
+    }
+
+    /** For how many ticks they have been left alone, this one among them. */
+    long ticks() {
+        return ticks;
     }
 
     /** Whether a body is left alone in this tick, or a fixed one bears such a body. */

@@ -78,6 +78,11 @@ final class Parting {
         move(bodies, share(bodies, dt));
     }
 
+    /** Parts the next heap as if it were the first. */
+    void forgetHeap() {
+        heap.forget();
+    }
+
     /** The most by which a pair lies deeper than allowed, as a share of its radii. */
     private double worst(Bodies bodies, double dt) {
         double worst = 0;

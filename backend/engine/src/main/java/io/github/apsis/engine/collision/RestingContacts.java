@@ -114,6 +114,13 @@ final class RestingContacts {
         }
     }
 
+    /** Solves the next heap as if it were the first. */
+    void forgetHeap() {
+        holding.forget();
+        settling.forget();
+        parting.forgetHeap();
+    }
+
     private void add(int k, double guess) {
         solver.add(touching.first(k), touching.second(k), touching.normalX(k), touching.normalY(k), guess);
     }

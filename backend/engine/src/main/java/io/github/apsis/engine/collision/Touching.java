@@ -107,7 +107,7 @@ final class Touching {
             return;
         }
         if (size == first.length) {
-            grow(2 * size);
+            resize(2 * size);
         }
         int k = size++;
         int before = k < sizeBefore && first[k] == a && second[k] == b
@@ -146,7 +146,7 @@ final class Touching {
         return k < afterRecalled && k >= afterRecalled - recalled;
     }
 
-    private void grow(int capacity) {
+    private void resize(int capacity) {
         first = Arrays.copyOf(first, capacity);
         second = Arrays.copyOf(second, capacity);
         normalX = Arrays.copyOf(normalX, capacity);
@@ -155,6 +155,19 @@ final class Touching {
         holding = Arrays.copyOf(holding, capacity);
         settling = Arrays.copyOf(settling, capacity);
         parting = Arrays.copyOf(parting, capacity);
+    }
+
+    /** At the end of a tick: gives back the memory of contacts that are no more. */
+    void shrink() {
+        resize(Math.max(16, size));
+        holdingBefore = new double[first.length];
+        settlingBefore = new double[first.length];
+        partingBefore = new double[first.length];
+        indexBefore = new PairIndex();
+        index = new PairIndex();
+        for (int k = 0; k < size; k++) {
+            index.put(first[k], second[k], k);
+        }
     }
 
     int size() {
