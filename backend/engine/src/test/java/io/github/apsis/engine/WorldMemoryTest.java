@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.ShipLimits;
-import io.github.apsis.engine.force.UniformField;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Rng;
 import java.lang.reflect.Array;
@@ -88,20 +87,9 @@ class WorldMemoryTest {
         assertThat(bytesPerBody(swarm)).isLessThan(220);
     }
 
-    /** Three hundred discs that fall into a pit, and what they take while they are solved directly and a second after. */
     @Test
     void a_heap_that_lies_gives_back_the_kilobytes_that_solving_it_took() {
-        World heap = new World(WorldSpec.builder()
-                .law(new UniformField(0, -10))
-                .contacts(0.2)
-                .walls(new Aabb(0, 0, 16, 60), 0.2)
-                .build());
-        var rng = new Rng(5);
-        for (int i = 0; i < 300; i++) {
-            double r = rng.between(0.3, 0.5);
-            heap.add(BodyDef.asteroid(0.6 + 1.1 * (i % 14), 0.6 + 1.1 * (i / 14), r * r, r)
-                    .moving(rng.between(-1, 1), 0));
-        }
+        World heap = Heaps.inBox();
         long most = 0;
         for (int tick = 100; tick <= 2800; tick += 100) {
             run(heap, tick);

@@ -5,27 +5,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.apsis.engine.Command;
+import io.github.apsis.engine.Heaps;
 import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSnapshot;
-import io.github.apsis.engine.WorldSpec;
 import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.BodyId;
-import io.github.apsis.engine.force.UniformField;
-import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Rng;
 import org.junit.jupiter.api.Test;
 
 /** A heap at rest that nobody touches is not solved: nobody may find that out. */
 class LyingHeapsTest {
-    private static final double G = 10;
-    private static final int CIRCLES = 300;
-
     @Test
     void a_heap_that_is_struck_goes_on_to_the_bit_as_if_it_had_been_struck_at_once() {
-        World now = heap();
+        World now = Heaps.behindDam();
         runUntilStill(now);
         now.step(); // the first tick in which it is left alone
-        World later = heap();
+        World later = Heaps.behindDam();
         runUntilStill(later);
         run(later, (int) later.tick() + 500); // and the memory for solving it is given back
 
@@ -45,9 +40,9 @@ class LyingHeapsTest {
 
     @Test
     void its_weight_goes_through_the_books_in_every_tick() {
-        World heap = heap();
+        World heap = Heaps.behindDam();
         runUntilStill(heap);
-        double weight = CIRCLES * 0.16 * G; // about
+        double weight = Heaps.CIRCLES * 0.16 * Heaps.GRAVITY; // about
         double energy = heap.conserved().energy().orElseThrow() - heap.ledger().energy();
         double px = heap.conserved().momentumX() - heap.ledger().momentumX();
         double py = heap.conserved().momentumY() - heap.ledger().momentumY();
@@ -57,7 +52,7 @@ class LyingHeapsTest {
         run(heap, (int) heap.tick() + ticks);
 
         // Every tick rounds to the same side, each term of its sums by half a unit in the last place at most.
-        double booked = weight / 150 * ticks * CIRCLES * 0x1p-53;
+        double booked = weight / 150 * ticks * Heaps.CIRCLES * 0x1p-53;
         double height = 30;
         assertThat(kineticEnergy(heap.snapshot())).isZero();
         assertThat(heap.conserved().energy().orElseThrow() - heap.ledger().energy())
@@ -70,7 +65,7 @@ class LyingHeapsTest {
 
     @Test
     void what_slides_beside_it_slides_on_and_bounces_off_what_bears_it() {
-        World heap = heap();
+        World heap = Heaps.behindDam();
         runUntilStill(heap);
         double beside = 20;
         BodyId slider = heap.add(BodyDef.asteroid(beside, 0.5, 1, 0.5).moving(-1, 0));
@@ -93,7 +88,7 @@ class LyingHeapsTest {
 
     @Test
     void it_falls_when_somebody_is_taken_from_under_it() {
-        World heap = heap();
+        World heap = Heaps.behindDam();
         runUntilStill(heap);
         WorldSnapshot before = heap.snapshot();
         int lowest = before.count() - 1;
@@ -115,7 +110,7 @@ class LyingHeapsTest {
 
     @Test
     void it_takes_fifty_balls_of_any_weight_without_a_hole_in_the_books() {
-        World heap = heap();
+        World heap = Heaps.behindDam();
         runUntilStill(heap);
         double energy = heap.conserved().energy().orElseThrow() - heap.ledger().energy();
         var rng = new Rng(3);
@@ -124,8 +119,8 @@ class LyingHeapsTest {
             double m = Math.pow(10, rng.between(-4, 1));
             BodyId thrown = heap.add(
                     BodyDef.asteroid(rng.between(1, 15), 45, m, r).moving(rng.between(-5, 5), -rng.between(10, 50)));
-            energy +=
-                    m * G * 45 + kineticEnergy(heap.snapshot(), heap.snapshot().indexOf(thrown));
+            energy += m * Heaps.GRAVITY * 45
+                    + kineticEnergy(heap.snapshot(), heap.snapshot().indexOf(thrown));
             run(heap, (int) heap.tick() + 30);
         }
 
@@ -170,24 +165,5 @@ class LyingHeapsTest {
 
     private static double kineticEnergy(WorldSnapshot now, int i) {
         return 0.5 * now.mass(i) * (now.vx(i) * now.vx(i) + now.vy(i) * now.vy(i));
-    }
-
-    /** Circles of many sizes that fall between a wall and a dam of fixed ones, with a floor behind it. */
-    private static World heap() {
-        World world = new World(WorldSpec.builder()
-                .law(new UniformField(0, -G))
-                .contacts(0.2)
-                .walls(new Aabb(0, 0, 24, 60), 0.2)
-                .build());
-        for (int i = 0; i < 40; i++) {
-            world.add(BodyDef.asteroid(16.5, 0.5 + i, 1, 0.5).fixed());
-        }
-        var rng = new Rng(5);
-        for (int i = 0; i < CIRCLES; i++) {
-            double r = rng.between(0.3, 0.5);
-            world.add(BodyDef.asteroid(0.6 + 1.1 * (i % 14), 0.6 + 1.1 * (i / 14), r * r, r)
-                    .moving(rng.between(-1, 1), 0));
-        }
-        return world;
     }
 }

@@ -4,14 +4,11 @@ import static io.github.apsis.engine.ReferenceCase.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.apsis.engine.Heaps;
 import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSnapshot;
-import io.github.apsis.engine.WorldSpec;
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.body.BodyDef;
-import io.github.apsis.engine.force.UniformField;
-import io.github.apsis.engine.math.Aabb;
-import io.github.apsis.engine.math.Rng;
 import io.github.apsis.engine.spatial.Workspace;
 import org.junit.jupiter.api.Test;
 
@@ -32,7 +29,7 @@ class StandstillTest {
 
     @Test
     void a_heap_of_hundreds_that_has_come_to_rest_stays_where_it_is_to_the_bit_until_it_is_struck() {
-        World heap = heap();
+        World heap = Heaps.inBox();
         double dropped = heap.conserved().energy().orElseThrow();
         run(heap, 2250); // a loose one slides on for twelve seconds
         WorldSnapshot before = heap.snapshot();
@@ -144,21 +141,5 @@ class StandstillTest {
         bodies.drift(DT);
         held.note(bodies, touching);
         standstill.stop(bodies, true);
-    }
-
-    /** Three hundred circles of many sizes that fall into a box. */
-    private static World heap() {
-        World world = new World(WorldSpec.builder()
-                .law(new UniformField(0, -G))
-                .contacts(0.2)
-                .walls(new Aabb(0, 0, 16, 60), 0.2)
-                .build());
-        var rng = new Rng(5);
-        for (int i = 0; i < 300; i++) {
-            double r = rng.between(0.3, 0.5);
-            world.add(BodyDef.asteroid(0.6 + 1.1 * (i % 14), 0.6 + 1.1 * (i / 14), r * r, r)
-                    .moving(rng.between(-1, 1), 0));
-        }
-        return world;
     }
 }
