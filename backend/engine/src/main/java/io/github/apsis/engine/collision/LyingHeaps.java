@@ -80,6 +80,7 @@ final class LyingHeaps {
     /** Forgets them: from now on they are not left alone. What is noted later in the tick counts in the next one. */
     void forget(Bodies all) {
         isOn = false;
+        ticks = 0;
         removals = all.removals();
         lies.clear();
         bodies = 0;
