@@ -92,9 +92,12 @@ public final class ContactSolver {
 
     /** A heap is solved alike however long it has lain, and one that has lain for long takes no memory for it. */
     private void forgetHeaps() {
-        if (touching.size() < ImpulseSolver.MANY && lying.ticks() == 1) {
+        if (touching.size() >= ImpulseSolver.MANY) {
+            return; // another heap is being solved
+        }
+        if (lying.ticks() == 1) {
             resting.forgetHeap();
-        } else if (touching.size() < ImpulseSolver.MANY && lying.ticks() == LONG) {
+        } else if (lying.ticks() == LONG) {
             resting = restingContacts.get();
             touching.shrink();
         }
