@@ -38,7 +38,8 @@ final class HeapFactor {
     private int[] waiting = new int[0]; // pieces
     private int[] local = new int[0]; // the row of a place in the present front
     private int[] target = new int[0];
-    private double[] front = new double[0]; // column by column
+    private double[][] front =
+            new double[0][0]; // by column: with arrays of their own C2 makes vector code of their loops
     private double[] left = new double[0]; // what pieces that wait have left for those that border on them
     private double[] work = new double[0];
     private double[] part = new double[0];
@@ -174,8 +175,8 @@ final class HeapFactor {
         if (column.length < entries) {
             column = new double[entries + entries / 4];
         }
-        if (front.length < most * most) {
-            front = new double[most * most];
+        if (front.length < most) {
+            front = new double[most + most / 4][most + most / 4];
         }
     }
 
@@ -210,21 +211,25 @@ final class HeapFactor {
                 local[border[e]] = 2 * (own + e - borderStart[p]);
             }
             int n = 2 * rows;
-            Arrays.fill(front, 0, n * n, 0);
+            for (int c = 0; c < n; c++) {
+                Arrays.fill(front[c], c, n, 0);
+            }
             for (int j = 0; j < 2 * own; j++) {
-                front[j * n + j] = 1;
+                front[j][j] = 1;
             }
             for (int e = contactStart[p]; e < contactStart[p + 1]; e++) {
                 int k = contactOf[e];
                 if (weight[k] != 0) {
-                    addContact(n, first[k], second[k], ax[k], ay[k], bx[k], by[k], weight[k]);
+                    addContact(first[k], second[k], ax[k], ay[k], bx[k], by[k], weight[k]);
                 }
             }
             for (int c = 0; c < children[p]; c++) {
-                held = addChild(n, waiting[--waits], held);
+                held = addChild(waiting[--waits], held);
             }
             eliminate(n, 2 * own);
-            System.arraycopy(front, 0, column, columnStart[p], n * 2 * own);
+            for (int j = 0; j < 2 * own; j++) {
+                System.arraycopy(front[j], j, column, columnStart[p] + j * n + j, n - j);
+            }
             if (rows > own) {
                 held = hold(n, 2 * own, held);
                 waiting[waits++] = p;
@@ -232,37 +237,37 @@ final class HeapFactor {
         }
     }
 
-    private void addContact(int n, int a, int b, double ax, double ay, double bx, double by, double weight) {
+    private void addContact(int a, int b, double ax, double ay, double bx, double by, double weight) {
         if (a >= 0) {
-            addDiagonal(local[a] * (n + 1), n, ax, ay, weight);
+            addDiagonal(local[a], ax, ay, weight);
         }
         if (b >= 0) {
-            addDiagonal(local[b] * (n + 1), n, bx, by, weight);
+            addDiagonal(local[b], bx, by, weight);
         }
         if (a >= 0 && b >= 0) {
             if (a < b) {
-                addBelow(local[a] * n + local[b], n, ax, ay, bx, by, weight);
+                addBelow(local[a], local[b], ax, ay, bx, by, weight);
             } else {
-                addBelow(local[b] * n + local[a], n, bx, by, ax, ay, weight);
+                addBelow(local[b], local[a], bx, by, ax, ay, weight);
             }
         }
     }
 
-    private void addDiagonal(int at, int n, double gx, double gy, double weight) {
-        front[at] += weight * gx * gx;
-        front[at + 1] += weight * gx * gy;
-        front[at + n + 1] += weight * gy * gy;
+    private void addDiagonal(int i, double gx, double gy, double weight) {
+        front[i][i] += weight * gx * gx;
+        front[i][i + 1] += weight * gx * gy;
+        front[i + 1][i + 1] += weight * gy * gy;
     }
 
-    private void addBelow(int at, int n, double cx, double cy, double rx, double ry, double weight) {
-        front[at] += weight * cx * rx;
-        front[at + 1] += weight * cx * ry;
-        front[at + n] += weight * cy * rx;
-        front[at + n + 1] += weight * cy * ry;
+    private void addBelow(int c, int r, double cx, double cy, double rx, double ry, double weight) {
+        front[c][r] += weight * cx * rx;
+        front[c][r + 1] += weight * cx * ry;
+        front[c + 1][r] += weight * cy * rx;
+        front[c + 1][r + 1] += weight * cy * ry;
     }
 
     /** Adds what a piece has left, a triangle column by column at the end of what is held; returns how much is held without it. */
-    private int addChild(int n, int child, int held) {
+    private int addChild(int child, int held) {
         int count = borderStart[child + 1] - borderStart[child];
         for (int e = 0; e < count; e++) {
             target[2 * e] = local[border[borderStart[child] + e]];
@@ -272,9 +277,9 @@ final class HeapFactor {
         int at = held - rows * (rows + 1) / 2;
         int before = at;
         for (int c = 0; c < rows; c++) {
-            int to = target[c] * n;
+            double[] to = front[target[c]];
             for (int r = c; r < rows; r++) {
-                front[to + target[r]] += left[at++];
+                to[target[r]] += left[at++];
             }
         }
         return before;
@@ -289,7 +294,7 @@ final class HeapFactor {
         }
         int at = held;
         for (int c = own; c < n; c++) {
-            System.arraycopy(front, c * n + c, left, at, n - c);
+            System.arraycopy(front[c], c, left, at, n - c);
             at += n - c;
         }
         return at;
@@ -297,36 +302,34 @@ final class HeapFactor {
 
     /** Cholesky's method on the first columns of the front, a body at a time. */
     private void eliminate(int n, int own) {
-        double[] f = front;
         for (int j = 0; j < own; j += 2) {
-            int one = j * n;
-            int two = one + n;
-            double l00 = Math.sqrt(Math.max(1, f[one + j])); // K − 1 is not negative
-            double l10 = f[one + j + 1] / l00;
-            double l11 = Math.sqrt(Math.max(1, f[two + j + 1] - l10 * l10));
-            f[one + j] = l00;
-            f[one + j + 1] = l10;
-            f[two + j + 1] = l11;
-            double by0 = 1 / l00;
-            double by1 = 1 / l11;
-            for (int r = j + 2; r < n; r++) {
-                double value = f[one + r] * by0;
-                f[one + r] = value;
-                f[two + r] = (f[two + r] - value * l10) * by1;
-            }
+            double[] one = front[j];
+            double[] two = front[j + 1];
+            double l00 = Math.sqrt(Math.max(1, one[j])); // K − 1 is not negative
+            double l10 = one[j + 1] / l00;
+            double l11 = Math.sqrt(Math.max(1, two[j + 1] - l10 * l10));
+            one[j] = l00;
+            one[j + 1] = l10;
+            two[j + 1] = l11;
+            divide(one, two, l10, 1 / l00, 1 / l11, j + 2, n);
             for (int c = j + 2; c < n; c++) {
-                subtract(f, c * n - one, one, two, one + c, one + n);
+                subtract(front[c], one, two, one[c], two[c], c, n);
             }
         }
     }
 
-    /** Takes what two columns make of another column off it. */
-    private static void subtract(double[] f, int shift, int one, int two, int from, int to) {
-        double a = f[from];
-        double b = f[from + two - one];
-        int next = two - one;
+    private static void divide(double[] one, double[] two, double l10, double by0, double by1, int from, int to) {
         for (int r = from; r < to; r++) {
-            f[r + shift] -= a * f[r] + b * f[r + next];
+            double value = one[r] * by0;
+            one[r] = value;
+            two[r] = (two[r] - value * l10) * by1;
+        }
+    }
+
+    /** Takes what two columns make of another column off it. */
+    private static void subtract(double[] column, double[] one, double[] two, double a, double b, int from, int to) {
+        for (int r = from; r < to; r++) {
+            column[r] -= a * one[r] + b * two[r];
         }
     }
 

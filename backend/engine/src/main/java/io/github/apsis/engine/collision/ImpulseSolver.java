@@ -10,15 +10,11 @@ import io.github.apsis.engine.body.Bodies;
  * </pre>
  *
  * <p>c is what each contact lacks without impulses, negative where it closes. λ minimises ½ λ·Aλ + c·λ, which for c = the
- * separating speeds is the change of kinetic energy. The method is MPRGP (Dostál 2009, "Optimal Quadratic Programming
- * Algorithms", chapter 5): conjugate gradients on the contacts that push, projected steps where one begins or ends to. It
- * needs about the square root of the rounds of sequential impulses, and about as many as there are heavy bodies where these lie
- * on light ones. A heap that is to come to rest needs more than that: {@link HeapSolver}.
+ * separating speeds is the change of kinetic energy. {@link BoundedGradients} need about the square root of the rounds of sequential
+ * impulses, and about as many as there are heavy bodies where these lie on light ones. A heap that is to come to rest needs more
+ * than that: {@link HeapSolver}.
  */
 final class ImpulseSolver {
-    /** Of the gradient at contacts that push, against that at those which might begin to: Dostál's Γ. */
-    private static final double PROPORTION = 1;
-
     /** Impulses that miss by no more than so many tolerances stay as they are: rounding alone would have them found anew. */
     static final double GOOD_ENOUGH = 4;
 
@@ -38,32 +34,21 @@ final class ImpulseSolver {
 
     // All scaled as the matrix is.
     private final ContactMatrix matrix = new ContactMatrix();
-    private double[] lack = new double[16]; // c
+    private final BoundedGradients gradients = new BoundedGradients(matrix);
     private double[] applied = new double[16]; // the impulses that the bodies already have
-    private double[] impulse = new double[16]; // λ
-    private double[] gradient = new double[16]; // w
-    private double[] along = new double[16]; // the direction of a round
-    private double[] change = new double[16]; // A · along
+    private double[] scratch = new double[16];
 
-    // Of the present impulses.
-    private double longest; // step of steepest descent
     private double most; // speed that a contact misses without impulses
     private double allowed; // error
-    private double error; // the largest speed by which a contact misses what it should have
-    private double pushing; // how wrong contacts are that push, and
-    private double waiting; // those that should begin to
 
     /** Forgets all contacts; there will be so many at most. */
     void begin(int contacts, Bodies all) {
         matrix.begin(contacts, all);
-        if (contacts > impulse.length) {
-            int capacity = Math.max(contacts, 2 * impulse.length);
-            lack = new double[capacity];
+        gradients.reserve(contacts);
+        if (contacts > applied.length) {
+            int capacity = Math.max(contacts, 2 * applied.length);
             applied = new double[capacity];
-            impulse = new double[capacity];
-            gradient = new double[capacity];
-            along = new double[capacity];
-            change = new double[capacity];
+            scratch = new double[capacity];
         }
     }
 
@@ -76,22 +61,23 @@ final class ImpulseSolver {
      */
     void add(int first, int second, double nx, double ny, double guess) {
         int k = matrix.size();
-        impulse[k] = guess * matrix.add(first, second, nx, ny);
+        gradients.impulse[k] = guess * matrix.add(first, second, nx, ny);
         applied[k] = 0;
     }
 
     /** Computes what the impulses do to the bodies beyond what was computed before: {@link #pushX}, {@link #pushY}. */
     void push() {
+        double[] impulse = gradients.impulse;
         for (int k = 0; k < size(); k++) {
-            along[k] = impulse[k] - applied[k];
+            scratch[k] = impulse[k] - applied[k];
             applied[k] = impulse[k];
         }
-        matrix.spread(along);
+        matrix.spread(scratch);
     }
 
     /** Tells the separating speed that a contact has, beyond what it should have, with the impulses that were pushed so far. */
     void measured(int k, double speed) {
-        gradient[k] = speed * matrix.scale(k);
+        gradients.gradient[k] = speed * matrix.scale(k);
     }
 
     /**
@@ -107,7 +93,7 @@ final class ImpulseSolver {
         if (areRight(tolerance, rounding)) {
             return 0;
         }
-        int rounds = descend(mostRounds);
+        int rounds = gradients.descend(allowed, mostRounds);
         limitEnergy();
         return rounds;
     }
@@ -119,13 +105,13 @@ final class ImpulseSolver {
             return 0;
         }
         int rounds = 0;
-        if (!many || error > NEAR * most) {
-            rounds = descend(many ? FEW_ROUNDS : mostRounds);
+        if (!many || gradients.error() > NEAR * most) {
+            rounds = gradients.descend(allowed, many ? FEW_ROUNDS : mostRounds);
         }
-        if (error > allowed) {
+        if (gradients.error() > allowed) {
             rounds++;
             if (!improve(heap, bodies)) {
-                rounds += descend(mostRounds - rounds);
+                rounds += gradients.descend(allowed, mostRounds - rounds);
             }
         }
         limitEnergy();
@@ -134,38 +120,14 @@ final class ImpulseSolver {
 
     /** Measures the present impulses; returns whether they may stay. */
     private boolean areRight(double tolerance, double rounding) {
-        most = separate();
+        most = gradients.separate();
         allowed = Math.max(rounding, tolerance * most);
-        error = error();
-        if (error <= GOOD_ENOUGH * allowed || most > FASTEST) {
+        gradients.assess();
+        if (gradients.error() <= GOOD_ENOUGH * allowed || most > FASTEST) {
             return true;
         }
-        longest = 1.8 / matrix.norm();
-        assess();
+        gradients.begin();
         return false;
-    }
-
-    private double error() {
-        double largest = 0;
-        for (int k = 0; k < size(); k++) {
-            double w = gradient[k];
-            double misses = impulse[k] > 0 ? Math.abs(w) : -w;
-            largest = Math.max(largest, misses / matrix.scale(k));
-        }
-        return largest;
-    }
-
-    private int descend(int mostRounds) {
-        restart();
-        int rounds = 0;
-        while (error > allowed && rounds < mostRounds) {
-            rounds++;
-            boolean moved = waiting <= PROPORTION * PROPORTION * pushing ? slide() : release();
-            if (!moved) {
-                break;
-            }
-        }
-        return rounds;
     }
 
     /** Returns whether it has found better impulses. */
@@ -173,181 +135,45 @@ final class ImpulseSolver {
         double mostScaled = 0;
         double leastScale = Double.POSITIVE_INFINITY;
         for (int k = 0; k < size(); k++) {
-            mostScaled = Math.max(mostScaled, -lack[k]);
+            mostScaled = Math.max(mostScaled, -gradients.lack[k]);
             leastScale = Math.min(leastScale, matrix.scale(k));
         }
         if (mostScaled == 0) {
             return false;
         }
         double enough = Math.max(leastScale * allowed, DIRECT_TOLERANCE * mostScaled);
-        double before = error;
-        System.arraycopy(impulse, 0, along, 0, size());
-        heap.improve(matrix, bodies, lack, mostScaled, enough, impulse);
-        measureAgain();
-        boolean better = error < before;
+        double before = gradients.error();
+        System.arraycopy(gradients.impulse, 0, scratch, 0, size());
+        heap.improve(matrix, bodies, gradients.lack, mostScaled, enough, gradients.impulse);
+        gradients.measureAgain();
+        boolean better = gradients.error() < before;
         if (!better) {
-            System.arraycopy(along, 0, impulse, 0, size());
-            measureAgain();
+            System.arraycopy(scratch, 0, gradients.impulse, 0, size());
+            gradients.measureAgain();
         }
         return better;
     }
 
-    private void measureAgain() {
-        matrix.multiply(impulse, gradient);
-        for (int k = 0; k < size(); k++) {
-            gradient[k] += lack[k];
-        }
-        assess();
-    }
-
     /** The same from speeds that were measured without impulses. */
     int solveFrom(double tolerance, int mostRounds) {
-        matrix.multiply(impulse, change);
-        for (int k = 0; k < size(); k++) {
-            gradient[k] += change[k];
-        }
+        gradients.multiplyIn();
         return solve(tolerance, 0, mostRounds);
     }
 
     /** The same for a heap that is to come to rest. */
     int solveFromDirectly(HeapSolver heap, Bodies bodies, double tolerance, int mostRounds) {
-        matrix.multiply(impulse, change);
-        for (int k = 0; k < size(); k++) {
-            gradient[k] += change[k];
-        }
+        gradients.multiplyIn();
         return solveDirectly(heap, bodies, tolerance, 0, mostRounds);
-    }
-
-    /** c = w − A λ, and the most that a contact misses without impulses. */
-    private double separate() {
-        matrix.multiply(impulse, lack);
-        double most = 0;
-        for (int k = 0; k < size(); k++) {
-            lack[k] = gradient[k] - lack[k];
-            most = Math.max(most, -lack[k] / matrix.scale(k));
-        }
-        return most;
-    }
-
-    /** Measures how far the impulses are from right. */
-    private void assess() {
-        error = 0;
-        pushing = 0;
-        waiting = 0;
-        for (int k = 0; k < size(); k++) {
-            assess(k);
-        }
-    }
-
-    private void assess(int k) {
-        double w = gradient[k];
-        if (impulse[k] > 0) {
-            pushing += w * Math.min(impulse[k] / longest, w);
-            error = Math.max(error, Math.abs(w) / matrix.scale(k));
-        } else if (w < 0) {
-            waiting += w * w;
-            error = Math.max(error, -w / matrix.scale(k));
-        }
-    }
-
-    /** The next direction is the gradient of the contacts that push. */
-    private void restart() {
-        for (int k = 0; k < size(); k++) {
-            along[k] = impulse[k] > 0 ? gradient[k] : 0;
-        }
-    }
-
-    /**
-     * A step of conjugate gradients among the contacts that push; where it meets the end of a push, a projected one.
-     *
-     * @return false when the numbers are too small for squares
-     */
-    private boolean slide() {
-        double curvature = matrix.multiply(along, change);
-        if (!(curvature > 0)) {
-            return false;
-        }
-        double slope = 0;
-        double feasible = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < size(); k++) {
-            slope += gradient[k] * along[k];
-            if (along[k] > 0) {
-                feasible = Math.min(feasible, impulse[k] / along[k]);
-            }
-        }
-        double step = slope / curvature;
-        if (step <= feasible) {
-            move(step);
-            turn(curvature);
-        } else {
-            expand(feasible);
-        }
-        return true;
-    }
-
-    /** The next direction is conjugate to this one: φ − (φ · A p) / (p · A p) p. */
-    private void turn(double curvature) {
-        double sum = 0;
-        for (int k = 0; k < size(); k++) {
-            sum += impulse[k] > 0 ? gradient[k] * change[k] : 0;
-        }
-        double turn = sum / curvature;
-        for (int k = 0; k < size(); k++) {
-            along[k] = impulse[k] > 0 ? gradient[k] - turn * along[k] : 0;
-        }
-    }
-
-    /**
-     * Goes as far as no push turns to a pull, and from there down the gradient, past the end of some. To take the whole step and
-     * cut off what pulls is sooner exact, but in a heap that has to do with few rounds it leaves too many contacts without a push.
-     */
-    private void expand(double feasible) {
-        for (int k = 0; k < size(); k++) {
-            impulse[k] = Math.max(0, impulse[k] - feasible * along[k]);
-            if (impulse[k] > 0) {
-                impulse[k] = Math.max(0, impulse[k] - longest * (gradient[k] - feasible * change[k]));
-            }
-        }
-        measureAgain();
-        restart();
-    }
-
-    /** Lets those contacts begin to push that should. */
-    private boolean release() {
-        for (int k = 0; k < size(); k++) {
-            along[k] = impulse[k] > 0 ? 0 : Math.min(0, gradient[k]);
-        }
-        double curvature = matrix.multiply(along, change);
-        if (!(curvature > 0)) {
-            return false;
-        }
-        double slope = 0;
-        for (int k = 0; k < size(); k++) {
-            slope += gradient[k] * along[k];
-        }
-        move(slope / curvature);
-        restart();
-        return true;
-    }
-
-    private void move(double step) {
-        error = 0;
-        pushing = 0;
-        waiting = 0;
-        for (int k = 0; k < size(); k++) {
-            impulse[k] = Math.max(0, impulse[k] - step * along[k]);
-            gradient[k] -= step * change[k];
-            assess(k);
-        }
     }
 
     /** Impulses that are not found yet must not add energy: then they are cut to the share that takes most. */
     private void limitEnergy() {
+        double[] impulse = gradients.impulse;
         double bent = 0; // λ·Aλ
         double gained = 0; // c·λ, negative when energy leaves
         for (int k = 0; k < size(); k++) {
-            bent += impulse[k] * (gradient[k] - lack[k]);
-            gained += impulse[k] * lack[k];
+            bent += impulse[k] * (gradients.gradient[k] - gradients.lack[k]);
+            gained += impulse[k] * gradients.lack[k];
         }
         if (0.5 * bent + gained > 0) {
             double share = Math.max(0, -gained / bent);
@@ -359,18 +185,18 @@ final class ImpulseSolver {
 
     /** The impulse of the k-th contact that was added. */
     double impulse(int k) {
-        return impulse[k] * matrix.scale(k);
+        return gradients.impulse[k] * matrix.scale(k);
     }
 
     /** λ · A λ: twice the kinetic energy that the impulses alone would give. */
     double selfWork() {
-        return matrix.multiply(impulse, change);
+        return matrix.multiply(gradients.impulse, scratch);
     }
 
     /** Multiplies all impulses. */
     void scaleBy(double factor) {
         for (int k = 0; k < size(); k++) {
-            impulse[k] *= factor;
+            gradients.impulse[k] *= factor;
         }
     }
 
@@ -389,11 +215,11 @@ final class ImpulseSolver {
 
     /** The part of an impulse that {@link #push} has yet to pass on, as a vector on the second partner. */
     double unpushedX(int k) {
-        return (impulse[k] - applied[k]) * matrix.normalX(k);
+        return (gradients.impulse[k] - applied[k]) * matrix.normalX(k);
     }
 
     double unpushedY(int k) {
-        return (impulse[k] - applied[k]) * matrix.normalY(k);
+        return (gradients.impulse[k] - applied[k]) * matrix.normalY(k);
     }
 
     /** The inverse mass that a body has here. */
