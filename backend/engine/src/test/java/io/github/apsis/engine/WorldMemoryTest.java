@@ -75,7 +75,7 @@ class WorldMemoryTest {
 
     /** Ships have columns of their own, and search among columns of all bodies. */
     @Test
-    void where_one_in_twenty_is_a_ship_a_body_takes_no_more_than_220_bytes() {
+    void where_one_in_twenty_is_a_ship_a_body_takes_no_more_than_205_bytes() {
         World swarm = new World(WorldSpec.builder()
                 .gravity(1)
                 .softening(1)
@@ -84,7 +84,7 @@ class WorldMemoryTest {
                 .build());
         fill(swarm, MANY, 300, 1, 20, 60);
 
-        assertThat(bytesPerBody(swarm)).isLessThan(220);
+        assertThat(bytesPerBody(swarm)).isLessThan(205);
     }
 
     @Test

@@ -86,12 +86,12 @@ final class Neighbours {
         workspace.take(this);
         item = workspace.ints(0, count);
         bucket = workspace.ints(1, count);
-        start = workspace.ints(2, buckets + 2);
+        start = workspace.ints(3, buckets + 2); // the longest column: the cells of contacts are there as well
         Arrays.fill(start, 0, buckets + 2, 0);
         x = workspace.doubles(0, count);
         y = workspace.doubles(1, count);
         rootMass = workspace.doubles(2, count);
-        motion = workspace.doubles(3, 3 * count);
+        motion = workspace.doubles(3, 3 * (count + 3));
     }
 
     private long cellOf(double coordinate) {
