@@ -23,6 +23,12 @@ final class RestingContacts {
     /** What they do not find, the next tick does, which goes on from there: so a large heap is solved over several ticks. */
     private static final int MOST_ROUNDS = 200;
 
+    /** A heap that moves asks for other impulses in every tick, and more rounds for them buy little: so many, */
+    private static final int FEWEST_ROUNDS = 50;
+
+    /** or one for so many contacts, since a push goes through a deep heap contact by contact. */
+    private static final int CONTACTS_PER_ROUND = 50;
+
     /** Without rounding conjugate gradients would need one round for each contact that pushes, and as many for each that changes. */
     private static final int ROUNDS_PER_CONTACT = 20;
 
@@ -39,7 +45,7 @@ final class RestingContacts {
     private static final double FLYING = 1e-9;
 
     /** A heap is quiet when its bodies move past each other no faster than this share of what forces give them in a tick. */
-    private static final double QUIET = 0.3;
+    private static final double QUIET = 0.2;
 
     /** What holds a heap is much larger than what its contacts miss in a tick; what settles it is not. */
     private static final double STIFFNESS_OF_HOLDING = 1e5;
@@ -225,8 +231,11 @@ final class RestingContacts {
         return moving <= QUIET * falling;
     }
 
-    private static int mostRounds(int contacts) {
-        return Math.min(ROUNDS_PER_CONTACT * contacts, MOST_ROUNDS);
+    private int mostRounds(int contacts) {
+        if (isQuiet || contacts < ImpulseSolver.MANY) {
+            return Math.min(ROUNDS_PER_CONTACT * contacts, MOST_ROUNDS);
+        }
+        return Math.max(FEWEST_ROUNDS, Math.min(contacts / CONTACTS_PER_ROUND, MOST_ROUNDS));
     }
 
     /** Measures how much each pair ends too deep; the speed that need not be found is returned. */

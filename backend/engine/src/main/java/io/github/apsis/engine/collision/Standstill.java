@@ -9,14 +9,14 @@ import io.github.apsis.engine.spatial.Workspace;
  * of its bodies is faster than
  *
  * <pre>
- *   |v| ≤ ε |a| dt     ε = 10⁻⁵
+ *   |v| ≤ ε |a| dt     ε = 10⁻⁴
  * </pre>
  *
  * <p>with a the acceleration without contacts. That is a static friction of ε, and it holds heaps as a whole: whoever is pushed by more
  * moves, and with him all that he touches. The next tick starts where this one did: see {@link LyingHeaps}.
  */
 final class Standstill {
-    private static final double STILL = 1e-5;
+    private static final double STILL = 1e-4;
 
     // What is true of one of a heap is true of it.
     private static final int MOVES = 1;
