@@ -5,7 +5,7 @@ package io.github.apsis.engine.collision;
  * begins or ends to: MPRGP (Dostál 2009, "Optimal Quadratic Programming Algorithms", chapter 5).
  *
  * <p>Which contacts push is no more regular than a heap is, so no branch may ask: {@link #pushes} is 1 for those, 0 for others, and
- * multiplies. A round of 2400 contacts takes 29 µs with that, and 46 µs with branches.
+ * multiplies: a round takes two thirds of the time.
  */
 final class BoundedGradients {
     /** Of the gradient at contacts that push, against that at those which might begin to: Dostál's Γ. */
