@@ -74,17 +74,18 @@ class WorldMemoryTest {
     }
 
     /** Ships have columns of their own, and search among columns of all bodies. */
-    @Test
-    void where_one_in_twenty_is_a_ship_a_body_takes_no_more_than_205_bytes() {
+    @ParameterizedTest
+    @ValueSource(ints = {10_000, 13_108, 30_000, 100_000})
+    void where_one_in_twenty_is_a_ship_a_body_takes_no_more_than_200_bytes(int bodies) {
         World swarm = new World(WorldSpec.builder()
                 .gravity(1)
                 .softening(1)
                 .tree(0.7)
                 .contacts(1)
                 .build());
-        fill(swarm, MANY, 300, 1, 20, 60);
+        fill(swarm, bodies, 3 * Math.sqrt(bodies), 1, 20, 60);
 
-        assertThat(bytesPerBody(swarm)).isLessThan(205);
+        assertThat(bytesPerBody(swarm)).isLessThan(BYTES_PER_BODY);
     }
 
     @Test

@@ -63,7 +63,7 @@ public final class Bodies {
     /** Adds a body and returns its slot. Invalidates nothing: earlier slots keep their meaning. */
     public int add(BodyDef def) {
         if (count == id.length) {
-            grow(count + Math.max(16, count >> 4)); // a body is added seldom, and kept long
+            grow(count + Math.max(16, count >> 5)); // a body is added seldom, and kept long
         }
         int i = count++;
         id[i] = ++lastId;
@@ -103,7 +103,7 @@ public final class Bodies {
             System.arraycopy(vxLow, i + 1, vxLow, i, behind);
             System.arraycopy(vyLow, i + 1, vyLow, i, behind);
         }
-        ships.remove(i, count);
+        ships.remove(i);
         accelerationsCurrent = false;
         revision++;
         removals++;
@@ -313,10 +313,28 @@ public final class Bodies {
             for (int i = 0; i < count; i++) {
                 drift(i, vx[i] * h + low.x(i), vy[i] * h + low.y(i));
             }
+        } else if (low.isEmpty() && !mayLose(x, vx, h) && !mayLose(y, vy, h)) {
+            move(x, vx, h);
+            move(y, vy, h);
         } else {
             driftFewLow(h);
         }
         accelerationsCurrent = false;
+    }
+
+    /** Whether a sum of this drift may be one of which {@link #lost} is not 0. */
+    private boolean mayLose(double[] from, double[] velocity, double h) {
+        boolean may = false;
+        for (int i = 0; i < count; i++) {
+            may |= Math.abs(from[i]) > 0.5 * FAR * Math.abs(velocity[i] * h);
+        }
+        return may;
+    }
+
+    private void move(double[] what, double[] velocity, double h) {
+        for (int i = 0; i < count; i++) {
+            what[i] += velocity[i] * h;
+        }
     }
 
     private void drift(int i, double stepX, double stepY) {
@@ -495,6 +513,19 @@ public final class Bodies {
 
     /** Whether no body is too far, too fast or nowhere: what every tick asks, in one pass. */
     public boolean areWithinNumbers() {
+        return areOrdinary() || areAllWithinNumbers();
+    }
+
+    /** The same with one comparison for each body, which is half as dear; a few that are within are not this. */
+    private boolean areOrdinary() {
+        boolean ordinary = true;
+        for (int i = 0; i < count; i++) {
+            ordinary &= x[i] * x[i] + y[i] * y[i] + (vx[i] * vx[i] + vy[i] * vy[i]) < 0.1 * FASTEST * FASTEST;
+        }
+        return ordinary;
+    }
+
+    private boolean areAllWithinNumbers() {
         boolean within = true;
         for (int i = 0; i < count; i++) {
             double speed2 = vx[i] * vx[i] + vy[i] * vy[i];
@@ -562,13 +593,15 @@ public final class Bodies {
         return ships.thrustY(i);
     }
 
-    /** The acceleration by a ship's engine. Where there are no ships it is asked for of every body, and nothing is read. */
+    /** The acceleration by a ship's engine. It is asked for of every body, of which few have any. */
     public double thrustAccelerationX(int i) {
-        return ships.slots().length == 0 ? 0 : ships.thrustX(i) * inverseMass(i);
+        double thrust = ships.thrustX(i);
+        return thrust == 0 ? 0 : thrust * inverseMass(i);
     }
 
     public double thrustAccelerationY(int i) {
-        return ships.slots().length == 0 ? 0 : ships.thrustY(i) * inverseMass(i);
+        double thrust = ships.thrustY(i);
+        return thrust == 0 ? 0 : thrust * inverseMass(i);
     }
 
     public void setThrust(int i, double forceX, double forceY) {

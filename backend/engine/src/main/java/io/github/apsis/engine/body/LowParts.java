@@ -29,6 +29,11 @@ final class LowParts {
         return x.length > 0;
     }
 
+    /** Whether they are 0 for every body. */
+    boolean isEmpty() {
+        return !isColumn() && listed == 0;
+    }
+
     /** Makes a column of them, for so many bodies. */
     void makeColumn(int capacity) {
         if (!isColumn()) {

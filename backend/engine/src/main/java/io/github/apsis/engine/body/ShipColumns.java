@@ -9,9 +9,13 @@ import java.util.Arrays;
  */
 final class ShipColumns {
     private static final double NO_TARGET = Double.NaN;
+    private static final int WORD = 6; // bits of the number of a bit in a word
 
     private int[] slots = new int[0]; // ascending; exactly as many as there are ships
-    private int[] row = new int[0]; // by slot, 0 of what is no ship; empty while there are no ships
+
+    // Rows by slot: a bit for each, and by word of bits how many ships are before; empty while there are no ships.
+    private long[] isShip = new long[0];
+    private int[] shipsBefore = new int[0];
 
     private double[] maxSpeed = new double[1];
     private double[] maxForce = new double[1];
@@ -33,20 +37,31 @@ final class ShipColumns {
         return slots;
     }
 
-    /** Makes room for bodies in so many slots, of which so many are there. */
+    /** Makes room for bodies in so many slots. */
     void reserve(int capacity) {
-        if (slots.length > 0 && row.length < capacity) {
-            row = Arrays.copyOf(row, capacity);
+        if (slots.length > 0) {
+            widen(capacity);
+        }
+    }
+
+    private void widen(int capacity) {
+        int known = isShip.length;
+        int words = (capacity + Long.SIZE - 1) / Long.SIZE;
+        if (words > known) {
+            isShip = Arrays.copyOf(isShip, words);
+            shipsBefore = Arrays.copyOf(shipsBefore, words);
+            Arrays.fill(shipsBefore, known, words, slots.length);
         }
     }
 
     /** The body in the last slot is a ship. */
     void add(int slot, int capacity, ShipLimits limits, double vx, double vy) {
+        widen(capacity);
         slots = Arrays.copyOf(slots, slots.length + 1);
         slots[slots.length - 1] = slot;
-        reserve(capacity);
         int r = slots.length;
-        row[slot] = r;
+        isShip[slot >> WORD] |= 1L << slot;
+        Arrays.fill(shipsBefore, (slot >> WORD) + 1, shipsBefore.length, r);
         if (r == maxSpeed.length) {
             grow(r + 1 + r / 8);
         }
@@ -84,22 +99,24 @@ final class ShipColumns {
         contactIn = Arrays.copyOf(contactIn, rows);
     }
 
-    /** The body in a slot is gone, and those behind it, up to the new count, have moved up by one. */
-    void remove(int slot, int count) {
+    /** The body in a slot is gone, and those behind it have moved up by one. */
+    void remove(int slot) {
         if (slots.length == 0) {
             return;
         }
-        int gone = row[slot];
+        int gone = row(slot);
         if (gone > 0) {
             removeRow(gone);
         }
-        System.arraycopy(row, slot + 1, row, slot, count - slot);
-        row[count] = 0;
-        for (int r = 1; r <= slots.length; r++) {
-            if (slots[r - 1] > slot) {
-                slots[r - 1]--;
-            }
-            row[slots[r - 1]] = r;
+        Arrays.fill(isShip, 0);
+        for (int k = slots.length - 1; k >= 0; k--) {
+            slots[k] -= slots[k] > slot ? 1 : 0;
+            isShip[slots[k] >> WORD] |= 1L << slots[k];
+        }
+        int before = 0;
+        for (int word = 0; word < isShip.length; word++) {
+            shipsBefore[word] = before;
+            before += Long.bitCount(isShip[word]);
         }
     }
 
@@ -119,7 +136,12 @@ final class ShipColumns {
 
     /** The number of a ship among ships, from 1 on; 0 for everything else. */
     int row(int slot) {
-        return slots.length == 0 ? 0 : row[slot];
+        if (slots.length == 0) {
+            return 0;
+        }
+        long word = isShip[slot >> WORD];
+        long bit = 1L << slot;
+        return (word & bit) == 0 ? 0 : shipsBefore[slot >> WORD] + 1 + Long.bitCount(word & bit - 1);
     }
 
     double maxSpeed(int slot) {

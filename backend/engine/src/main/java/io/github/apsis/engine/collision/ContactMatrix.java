@@ -29,7 +29,7 @@ final class ContactMatrix {
     private double[] hy = new double[16];
     private double[] scale = new double[16]; // 1 / √A_kk
 
-    private int[] number = new int[16]; // by slot: of a body with contacts, and 0 for those without
+    private final PairIndex numbered = new PairIndex(); // the number of a body with contacts, as that of it and itself
 
     // By number, which all walls have in common: 0.
     private int numbers = 1;
@@ -42,9 +42,7 @@ final class ContactMatrix {
     /** Forgets all contacts; there will be so many at most. */
     void begin(int contacts, Bodies all) {
         bodies = all;
-        for (int i = 1; i < numbers; i++) {
-            number[slot[i]] = 0;
-        }
+        numbered.clear();
         numbers = 1;
         size = 0;
         if (contacts > a.length) {
@@ -54,9 +52,6 @@ final class ContactMatrix {
             hx = new double[capacity];
             hy = new double[capacity];
             scale = new double[capacity];
-        }
-        if (all.count() > number.length) {
-            number = new int[Math.max(all.count(), number.length + number.length / 8)];
         }
         int lightest = -1;
         for (int i = 0; i < all.count(); i++) {
@@ -71,7 +66,7 @@ final class ContactMatrix {
         if (i < 0) {
             return 0;
         }
-        if (number[i] == 0) {
+        if (numbered.put(i, i, numbers)) {
             if (numbers == slot.length) {
                 slot = Arrays.copyOf(slot, 2 * numbers);
                 inverseMass = Arrays.copyOf(inverseMass, 2 * numbers);
@@ -79,9 +74,9 @@ final class ContactMatrix {
             }
             slot[numbers] = i;
             inverseMass[numbers] = bodies == null ? 0 : Math.min(bodies.inverseMass(i), least);
-            number[i] = numbers++;
+            return numbers++;
         }
-        return number[i];
+        return numbered.find(i, i);
     }
 
     /** Adds a contact; a negative second partner is a wall. Returns √A_kk: an impulse times this is as scaled. */
@@ -173,14 +168,16 @@ final class ContactMatrix {
 
     /** The inverse mass that a body with contacts has here. */
     double inverseMass(int i) {
-        return inverseMass[number[i]];
+        return inverseMass[numbered.find(i, i)];
     }
 
     double velocityX(int i) {
-        return number[i] == 0 ? 0 : velocity[2 * number[i]];
+        int number = numbered.find(i, i);
+        return number < 0 ? 0 : velocity[2 * number];
     }
 
     double velocityY(int i) {
-        return number[i] == 0 ? 0 : velocity[2 * number[i] + 1];
+        int number = numbered.find(i, i);
+        return number < 0 ? 0 : velocity[2 * number + 1];
     }
 }

@@ -92,7 +92,7 @@ final class Touching {
 
     /** The speed that contacts at rest gave to a body in the last tick: what it lies on bore so much of its fall. */
     double support(int i) {
-        return Math.sqrt(supportSquared(i));
+        return isBorne ? Math.sqrt(supportSquared(i)) : 0;
     }
 
     double supportSquared(int i) {

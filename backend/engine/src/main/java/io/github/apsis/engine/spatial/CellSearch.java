@@ -245,7 +245,7 @@ final class CellSearch {
     boolean gatherBeside(int cell, int l) {
         int[] start = grid.start;
         int across = grid.columns[l];
-        int row = (cell - grid.firstCell[l]) / across;
+        int row = grid.rowOf(cell, l);
         int column = cell - grid.firstCell[l] - row * across;
         if (column == 0 || column >= across - 1 || row == 0 || row >= grid.rows[l] - 1) {
             return false;

@@ -59,7 +59,7 @@ public final class CircleGrid {
     private double[] reach = new double[0];
     private int[] place = new int[0]; // in the order of the cells; before it is known, level and cell
 
-    private final int[] sampled = new int[2048]; // by exponent
+    private final byte[] sampled = new byte[2048]; // by exponent; there are no more than 127
     final int[] size = new int[LEVELS]; // circles of each level
     final int[] used = new int[LEVELS]; // the levels that have any, fine ones first
     int levels;
@@ -407,10 +407,16 @@ public final class CircleGrid {
     /** Whether a circle reaches no farther beyond a cell than one that is sorted there. */
     private boolean keepsToCell(int cell, double newX, double newY, double newReach) {
         int l = levelOf(cell);
-        int row = (cell - firstCell[l]) / columns[l];
+        int row = rowOf(cell, l);
         int column = cell - firstCell[l] - row * columns[l];
         return keeps(column, columns[l], newX * columnsPerLength[l], newReach * columnsPerLength[l])
                 && keeps(row, rows[l], newY * rowsPerLength[l], newReach * rowsPerLength[l]);
+    }
+
+    /** The row of a cell within its level; on the folded plane without a division. */
+    int rowOf(int cell, int l) {
+        int number = cell - firstCell[l];
+        return period == null ? number >>> Integer.numberOfTrailingZeros(columns[l]) : number / columns[l];
     }
 
     private int levelOf(int cell) {

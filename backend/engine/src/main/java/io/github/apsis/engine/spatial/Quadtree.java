@@ -24,7 +24,7 @@ public final class Quadtree {
     // elsewhere.
     private static final int NARROW = 8;
     private static final int WIDE = 11;
-    private static final int MANY = 2048;
+    private static final int MANY = 16_384; // with fewer, wide histograms are a hundredth of all memory or more
     private static final int MOST_SHARES = 8;
     private static final int MANY_FOR_A_TEAM = 4000; // items, whose keys take 30 µs: fewer are not shared
 
