@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.math.Aabb;
+import io.github.apsis.engine.math.CompensatedSum;
 import io.github.apsis.engine.math.Rng;
 import org.junit.jupiter.api.Test;
 
@@ -60,6 +61,45 @@ class DirectGravityTest {
 
         assertThat(bodies.ax(a)).isZero();
         assertThat(bodies.ay(a)).isZero();
+    }
+
+    /**
+     * A pull is wrong by 2 or 3 roundings, and a partial sum of k of them by the root of k of its own size: parts of 128 lose 9
+     * roundings of all that pulls at the worst of these bodies, where parts of 512 lost 26.
+     */
+    @Test
+    void the_pulls_of_thousands_add_up_to_ten_roundings_of_their_sizes() {
+        var disc = new Bodies();
+        var rng = new Rng(12345);
+        for (int i = 0; i < 3000; i++) {
+            double r = 1000 * Math.sqrt(rng.nextDouble());
+            double angle = rng.between(0, 2 * Math.PI);
+            disc.add(BodyDef.planet(r * StrictMath.cos(angle), r * StrictMath.sin(angle), 1, 0));
+        }
+
+        new DirectGravity(1, 1).apply(disc);
+
+        double worst = 0;
+        double worstOfSum = 0;
+        for (int i = 0; i < disc.count(); i++) {
+            var ax = new CompensatedSum();
+            var ay = new CompensatedSum();
+            double sizes = 0;
+            for (int j = 0; j < disc.count(); j++) {
+                double dx = disc.x(j) - disc.x(i);
+                double dy = disc.y(j) - disc.y(i);
+                double d2 = dx * dx + dy * dy + 1;
+                double pull = 1 / (d2 * Math.sqrt(d2));
+                ax.add(pull * dx);
+                ay.add(pull * dy);
+                sizes += pull * Math.sqrt(dx * dx + dy * dy);
+            }
+            double off = Math.hypot(disc.ax(i) - ax.value(), disc.ay(i) - ay.value());
+            worst = Math.max(worst, off / sizes);
+            worstOfSum = Math.max(worstOfSum, off / Math.hypot(ax.value(), ay.value()));
+        }
+        assertThat(worst).isLessThan(10 * Math.ulp(0.5));
+        assertThat(worstOfSum).as("of a body whose pulls all but cancel").isLessThan(1e-13);
     }
 
     @Test
