@@ -18,6 +18,9 @@ final class Nearest {
     /** How many are looked at. */
     static final int MOST = 24;
 
+    /** Positions in one {@link #sift}: in a belt of 10 000 with 500 ships 65 of 2300 are offered so, and 516 if all were sifted at once. */
+    static final int AT_ONCE = 64;
+
     private static final double BASE = 1.0 / 3; // of the top speed: what either may still add to the approach
     private static final double ROCKS = 1.6; // of the horizon, as the next
     private static final double SHIPS = 0.6;
@@ -42,7 +45,8 @@ final class Nearest {
     private double escapable; // acceleration
 
     private double pull; // size of what gravity keeps a ship from leaving, length / mass^(1/2)
-    private int[] found = new int[0];
+    private final int[] found = new int[AT_ONCE];
+    private final double[] latest = new double[SHARE.length]; // urgency that is wanted, of rocks and of ships
 
     private int count;
     private final int[] slot = new int[MOST];
@@ -85,13 +89,16 @@ final class Nearest {
     }
 
     /**
-     * Of the bodies at these positions, finds those that may be urgent enough, and a few more, and returns how many. There is no
-     * branch in it: which they are is as good as random, and a search took twice as long with one.
+     * Of the bodies at these positions, of {@link #AT_ONCE} at most, finds those that may be urgent enough beside what has been taken
+     * in, and a few more, and returns how many. There is no branch in it: which they are is as good as random, and a search took
+     * twice as long with one.
      */
     int sift(Neighbours all, int from, int to) {
-        if (found.length < to - from) {
-            found = new int[Math.max(to - from, 2 * found.length)];
+        double last = count < MOST ? Double.POSITIVE_INFINITY : urgency[MOST - 1];
+        for (int kind = 0; kind < latest.length; kind++) {
+            latest[kind] = Math.min(SHARE[kind] * horizon, last);
         }
+        double[] until = latest;
         int[] into = found;
         int[] items = all.item;
         double[] xs = all.x;
@@ -106,7 +113,7 @@ final class Nearest {
             double d = Math.sqrt(d2);
             double closing = Math.max(0, -((motions[3 * p] - vx) * dx + (motions[3 * p + 1] - vy) * dy));
             double size = Math.max(motions[3 * p + 2], pull * roots[p]);
-            double within = (size + radius) * d + SHARE[items[p] >>> 31] * horizon * (base * d + closing);
+            double within = (size + radius) * d + until[items[p] >>> 31] * (base * d + closing);
             into[n] = p;
             n += 1 - (int) (Double.doubleToRawLongBits(ROUNDING * within - d2) >>> 63); // 1 unless it is negative
         }

@@ -104,30 +104,48 @@ final class Neighbours {
 
     /** Offers a search every body whose rim is within its reach, and some that are not. */
     void search(double px, double py, double reach, Nearest of) {
-        int large = of.sift(this, small, count);
-        for (int f = 0; f < large; f++) {
-            of.offer(this, of.found(f));
+        for (int from = small; from < count; from += Nearest.AT_ONCE) {
+            int large = of.sift(this, from, Math.min(count, from + Nearest.AT_ONCE));
+            for (int f = 0; f < large; f++) {
+                of.offer(this, of.found(f));
+            }
         }
         double most = reach + largestRadius;
         long fromColumn = cellOf(px - most);
         int columns = (int) Math.min(mask, cellOf(px + most) - fromColumn);
-        long toRow = cellOf(py + most);
-        for (long line = cellOf(py - most); line <= toRow; line++) {
-            int from = bucketOf(fromColumn, line);
-            int to = from + columns;
-            offer(start[from + 1], start[Math.min(to, mask) + 2], line, of);
-            if (to > mask) { // the row goes on at the begin of the table
-                offer(start[1], start[to - mask + 1], line, of);
+        long own = cellOf(py);
+        long below = own - cellOf(py - most);
+        long above = cellOf(py + most) - own;
+        searchRow(fromColumn, columns, own, of);
+        for (long away = 1;
+                away <= Math.max(below, above);
+                away++) { // what is near leaves little to take in of the rest
+            if (away <= below) {
+                searchRow(fromColumn, columns, own - away, of);
+            }
+            if (away <= above) {
+                searchRow(fromColumn, columns, own + away, of);
             }
         }
     }
 
+    private void searchRow(long fromColumn, int columns, long line, Nearest of) {
+        int from = bucketOf(fromColumn, line);
+        int to = from + columns;
+        offer(start[from + 1], start[Math.min(to, mask) + 2], line, of);
+        if (to > mask) { // the row goes on at the begin of the table
+            offer(start[1], start[to - mask + 1], line, of);
+        }
+    }
+
     private void offer(int from, int to, long line, Nearest of) {
-        int found = of.sift(this, from, to);
-        for (int f = 0; f < found; f++) {
-            int p = of.found(f);
-            if (cellOf(y[p]) == line) { // others have the same hash
-                of.offer(this, p);
+        for (int next = from; next < to; next += Nearest.AT_ONCE) {
+            int found = of.sift(this, next, Math.min(to, next + Nearest.AT_ONCE));
+            for (int f = 0; f < found; f++) {
+                int p = of.found(f);
+                if (cellOf(y[p]) == line) { // others have the same hash
+                    of.offer(this, p);
+                }
             }
         }
     }
