@@ -90,7 +90,8 @@ final class SpeedReport {
                 - `ms_per_step`: CPU time of the stepping thread, measured for batches of steps as a whole; the median of the batches. \
                 It counts neither other programs nor the threads of compiler and collector. On several threads it is the time by the clock.
                 - `p99_ms`: by the clock, each step by itself; 99 of 100 take no longer. Others on the machine stretch it.
-                - `alloc_bytes_per_step`: bytes that the stepping thread allocates, all measured steps together.
+                - `alloc_bytes_per_step`: bytes that the stepping thread allocates, in the second half of the measured steps: columns that \
+                grow with the most contacts that a scene has had so far mostly have their length by then.
                 - Before, something of the same kind warms the compiler up and is thrown away; the measured run then has the same \
                 steps on every machine, so its error is the same too. What takes more than some minutes is stopped after fewer steps.""");
         page.paragraph(

@@ -12,7 +12,7 @@ import java.util.List;
  * @param jdk its version; empty for what does not run in a JVM
  * @param msPerStep CPU time of the stepping thread, the median of the batches; on several threads time by the clock
  * @param p99Ms by the clock: 99 of 100 steps take no longer
- * @param allocBytesPerStep by the stepping thread, all measured steps together
+ * @param allocBytesPerStep by the stepping thread, in the second half of the measured steps
  * @param errorKind what is wrong, in which measure
  * @param error how much of it
  */

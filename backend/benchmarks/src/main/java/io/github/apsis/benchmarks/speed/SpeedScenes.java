@@ -6,6 +6,7 @@ import java.util.List;
 final class SpeedScenes {
     private static final List<SpeedScene> ALL = List.of(
             new GasScene(),
+            new FallScene(),
             new PileScene(),
             GravityScene.direct(),
             GravityScene.tree(),
