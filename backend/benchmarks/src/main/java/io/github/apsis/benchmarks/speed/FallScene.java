@@ -11,6 +11,7 @@ final class FallScene implements SpeedScene {
     private static final int[] SOME = {100, 1000};
     private static final int[] MANY = {100, 1000, 5000};
     private static final int STEPS = 1200;
+    private static final int WARM_UP = 3000; // ms, in which a hundred discs fall and lie
 
     @Override
     public String name() {
@@ -26,7 +27,7 @@ final class FallScene implements SpeedScene {
 
     @Override
     public void run(Bench bench) {
-        Trial whole = new Trial(0, 0, STEPS, 20, Integer.MAX_VALUE);
+        Trial whole = new Trial(WARM_UP, 0, STEPS, 20, Integer.MAX_VALUE);
         Trial trial = bench.choose(new Trial(0, 0, 60, 20, 5), whole, whole);
         for (int n : bench.choose(FEW, SOME, MANY)) {
             DiscScene scene = DiscScenes.pile(n);
