@@ -28,6 +28,7 @@ public final class Steering {
     private final Team alone = Team.ofOne();
     private final Team team;
     private final Helm[] helms; // one for each of the team
+    private final boolean looksAround;
     private final Work piece = this::steerPiece;
 
     private Bodies bodies = new Bodies(); // of the present decision, as all below
@@ -70,6 +71,7 @@ public final class Steering {
             Team team,
             Workspace workspace) {
         this.team = team;
+        looksAround = spec.avoidance() == SteeringSpec.Avoidance.PLANNED;
         neighbours = new Neighbours(workspace);
         helms = new Helm[team.size()];
         for (int k = 0; k < helms.length; k++) {
@@ -86,13 +88,29 @@ public final class Steering {
         if (ships.length == 0) {
             return;
         }
+        if (looksAround && isAnyDue()) {
+            neighbours.sort(bodies, range());
+            courses.copy(bodies);
+        }
+        (ships.length < MANY ? alone : team).share(piece, (ships.length + PER_PIECE - 1) / PER_PIECE);
+    }
+
+    /** Between two thoughts nobody asks who is near. */
+    private boolean isAnyDue() {
+        for (int i : ships) {
+            if (!bodies.isFixed(i) && Planner.isDue(bodies, i, tick, dt)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private double range() {
         double range = 0;
         for (int i : ships) {
             range = Math.max(range, Planner.range(bodies, i));
         }
-        neighbours.sort(bodies, range);
-        courses.copy(bodies);
-        (ships.length < MANY ? alone : team).share(piece, (ships.length + PER_PIECE - 1) / PER_PIECE);
+        return range;
     }
 
     private void steerPiece(int number, int member) {
