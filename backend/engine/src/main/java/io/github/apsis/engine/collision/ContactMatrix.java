@@ -37,7 +37,7 @@ final class ContactMatrix {
     private double[] inverseMass = new double[17];
     private double[] velocity = new double[34]; // x, y: what impulses give to the body
 
-    private double least; // inverse mass of a body without mass
+    private double lightest; // inverse mass of a body without mass; 0 until one is asked for
 
     /** Forgets all contacts; there will be so many at most. */
     void begin(int contacts, Bodies all) {
@@ -53,13 +53,7 @@ final class ContactMatrix {
             hy = new double[capacity];
             scale = new double[capacity];
         }
-        int lightest = -1;
-        for (int i = 0; i < all.count(); i++) {
-            if (all.mass(i) > 0 && !all.isFixed(i) && (lightest < 0 || all.mass(i) < all.mass(lightest))) {
-                lightest = i;
-            }
-        }
-        least = lightest < 0 ? 1 : MASSLESS * all.inverseMass(lightest);
+        lightest = 0;
     }
 
     private int number(int i) {
@@ -73,10 +67,30 @@ final class ContactMatrix {
                 velocity = new double[4 * numbers];
             }
             slot[numbers] = i;
-            inverseMass[numbers] = bodies == null ? 0 : Math.min(bodies.inverseMass(i), least);
+            inverseMass[numbers] = bodies == null ? 0 : inverseMass(bodies, i);
             return numbers++;
         }
         return numbered.find(i, i);
+    }
+
+    private double inverseMass(Bodies all, int i) {
+        if (all.mass(i) > 0 || all.isFixed(i)) {
+            return all.inverseMass(i);
+        }
+        if (lightest == 0) {
+            lightest = inverseMassWithoutMass(all);
+        }
+        return lightest;
+    }
+
+    private static double inverseMassWithoutMass(Bodies all) {
+        double largest = 0;
+        for (int i = 0; i < all.count(); i++) {
+            if (all.mass(i) > 0) {
+                largest = Math.max(largest, all.inverseMass(i));
+            }
+        }
+        return largest == 0 ? 1 : MASSLESS * largest;
     }
 
     /** Adds a contact; a negative second partner is a wall. Returns √A_kk: an impulse times this is as scaled. */
@@ -166,18 +180,37 @@ final class ContactMatrix {
         return hy[k];
     }
 
-    /** The inverse mass that a body with contacts has here. */
-    double inverseMass(int i) {
-        return inverseMass[numbered.find(i, i)];
+    /** The number of the first body of a contact. Numbers stand for bodies with contacts, in the order of these. */
+    int firstNumber(int k) {
+        return a[k];
     }
 
-    double velocityX(int i) {
-        int number = numbered.find(i, i);
-        return number < 0 ? 0 : velocity[2 * number];
+    /** The same of the second, 0 for any wall. */
+    int secondNumber(int k) {
+        return b[k];
     }
 
-    double velocityY(int i) {
-        int number = numbered.find(i, i);
-        return number < 0 ? 0 : velocity[2 * number + 1];
+    /** One more than the last number; the first of a body is 1. */
+    int numbers() {
+        return numbers;
+    }
+
+    /** The body of a number. */
+    int slot(int number) {
+        return slot[number];
+    }
+
+    /** The inverse mass that a body has here, 0 for the walls. */
+    double inverseMass(int number) {
+        return inverseMass[number];
+    }
+
+    /** Of a body, 0 for the walls. */
+    double velocityX(int number) {
+        return velocity[2 * number];
+    }
+
+    double velocityY(int number) {
+        return velocity[2 * number + 1];
     }
 }

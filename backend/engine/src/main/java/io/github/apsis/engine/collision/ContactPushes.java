@@ -28,9 +28,10 @@ final class ContactPushes {
         bookOutside(bodies, dt);
         solver.push();
         double energy = 0;
-        for (int i = 0; i < bodies.count(); i++) {
-            double ux = solver.pushX(i);
-            double uy = solver.pushY(i);
+        for (int number = 1; number < solver.numbers(); number++) {
+            int i = solver.slot(number);
+            double ux = solver.pushX(number);
+            double uy = solver.pushY(number);
             if (ux != 0 || uy != 0) {
                 double along = ux * bodies.vx(i) + uy * bodies.vy(i);
                 double across = 0.5 * (ux * ux + uy * uy);
@@ -39,7 +40,7 @@ final class ContactPushes {
                 // Of the velocity that the forces will have made by the end, and against them along the way.
                 energy += bodies.mass(i) * work(bodies, i, ux, uy, 0.5 * dt);
                 energy -= bodies.mass(i) * dt * (ux * bodies.ax(i) + uy * bodies.ay(i));
-                bookMassless(bodies, i, ux, uy);
+                bookMassless(bodies, number, ux, uy);
                 bodies.push(i, ux, uy);
                 bodies.shift(i, ux * dt, uy * dt);
             }
@@ -52,12 +53,13 @@ final class ContactPushes {
         bookOutside(bodies, 0);
         solver.push();
         double energy = 0;
-        for (int i = 0; i < bodies.count(); i++) {
-            double ux = solver.pushX(i);
-            double uy = solver.pushY(i);
+        for (int number = 1; number < solver.numbers(); number++) {
+            int i = solver.slot(number);
+            double ux = solver.pushX(number);
+            double uy = solver.pushY(number);
             if (ux != 0 || uy != 0) {
                 energy += bodies.mass(i) * work(bodies, i, ux, uy, 0);
-                bookMassless(bodies, i, ux, uy);
+                bookMassless(bodies, number, ux, uy);
                 bodies.push(i, ux, uy);
             }
         }
@@ -65,9 +67,10 @@ final class ContactPushes {
     }
 
     /** What bodies with mass have given to one without is lost to the world. */
-    private void bookMassless(Bodies bodies, int i, double ux, double uy) {
+    private void bookMassless(Bodies bodies, int number, double ux, double uy) {
+        int i = solver.slot(number);
         if (bodies.mass(i) == 0) {
-            double m = 1 / solver.inverseMass(i);
+            double m = 1 / solver.inverseMass(number);
             bodies.ledger().bookImpulse(-m * ux, -m * uy, bodies.x(i), bodies.y(i));
         }
     }

@@ -209,23 +209,27 @@ public final class ContactSet {
         for (int k = 0; k < size; k++) {
             impulse[k] = wanted[k] == Double.NEGATIVE_INFINITY ? 0 : solver.impulse(asked++);
             if (impulse[k] > 0) {
-                book(bodies, k);
+                book(bodies, k, change(k, asked - 1));
             }
         }
-        for (int i = 0; i < bodies.count(); i++) {
-            if (solver.pushX(i) != 0 || solver.pushY(i) != 0) {
-                bodies.push(i, solver.pushX(i), solver.pushY(i));
+        for (int number = 1; number < solver.numbers(); number++) {
+            if (solver.pushX(number) != 0 || solver.pushY(number) != 0) {
+                bodies.push(solver.slot(number), solver.pushX(number), solver.pushY(number));
             }
         }
         return true;
     }
 
-    private void book(Bodies bodies, int k) {
+    /** Of the separating speed, of a contact that the solver was asked for. */
+    private double change(int k, int asked) {
+        int a = solver.firstNumber(asked);
+        int b = solver.secondNumber(asked);
+        return (solver.pushX(b) - solver.pushX(a)) * nx[k] + (solver.pushY(b) - solver.pushY(a)) * ny[k];
+    }
+
+    private void book(Bodies bodies, int k, double change) {
         int a = first[k];
         int b = second[k];
-        double changeX = (b < 0 ? 0 : solver.pushX(b)) - solver.pushX(a);
-        double changeY = (b < 0 ? 0 : solver.pushY(b)) - solver.pushY(a);
-        double change = changeX * nx[k] + changeY * ny[k];
         bodies.ledger().bookEnergy(impulse[k] * (speed[k] + 0.5 * change));
         double px = impulse[k] * nx[k];
         double py = impulse[k] * ny[k];

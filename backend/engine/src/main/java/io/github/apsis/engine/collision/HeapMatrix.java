@@ -40,8 +40,8 @@ final class HeapMatrix {
         for (int k = 0; k < size; k++) {
             int a = matrix.first(k);
             int b = matrix.second(k);
-            double massA = Math.sqrt(matrix.inverseMass(a));
-            double massB = b < 0 ? 0 : Math.sqrt(matrix.inverseMass(b));
+            double massA = Math.sqrt(matrix.inverseMass(matrix.firstNumber(k)));
+            double massB = Math.sqrt(matrix.inverseMass(matrix.secondNumber(k)));
             first[k] = massA > 0 ? node(a, bodies) : -1;
             second[k] = massB > 0 ? node(b, bodies) : -1;
             ax[k] = -massA * matrix.normalX(k);

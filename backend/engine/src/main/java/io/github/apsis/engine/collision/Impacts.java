@@ -32,7 +32,6 @@ final class Impacts {
     private final ImpactQueue queue = new ImpactQueue();
     private final ImpactPredictor predictor;
     private final SimultaneousImpacts moment = new SimultaneousImpacts();
-    private int[] bent = new int[8];
     private @Nullable ContactListener listener;
     private double start; // of the tick, time since the world began
 
@@ -196,23 +195,22 @@ final class Impacts {
             tell(bodies, k, t, moment.impulse(k));
             pass(bodies, k, t, moment.impulse(k));
         }
-        bent = moment.bodies(bent);
-        int count = moment.bodyCount();
-        for (int k = 0; k < count; k++) {
-            bookMassless(bodies, bent[k], t);
-            bend(bodies, bent[k], t, moment.pushX(bent[k]), moment.pushY(bent[k]));
+        for (int number = 1; number < moment.numbers(); number++) {
+            bookMassless(bodies, number, t);
+            bend(bodies, moment.slot(number), t, moment.pushX(number), moment.pushY(number));
         }
-        for (int k = 0; k < count; k++) {
-            predictor.predictNext(bodies, bent[k], bent[k]);
+        for (int number = 1; number < moment.numbers(); number++) {
+            predictor.predictNext(bodies, moment.slot(number), moment.slot(number));
         }
     }
 
     /** What bodies with mass have given to one without is lost to the world. */
-    private void bookMassless(Bodies bodies, int i, double t) {
+    private void bookMassless(Bodies bodies, int number, double t) {
+        int i = moment.slot(number);
         if (bodies.mass(i) == 0 && !bodies.isFixed(i)) {
-            double m = 1 / moment.inverseMass(i);
-            double ux = moment.pushX(i);
-            double uy = moment.pushY(i);
+            double m = 1 / moment.inverseMass(number);
+            double ux = moment.pushX(number);
+            double uy = moment.pushY(number);
             double work = ux * (paths.vxAt(bodies, i, t) + 0.5 * ux) + uy * (paths.vyAt(bodies, i, t) + 0.5 * uy);
             bodies.ledger().bookEnergy(-m * work);
             bodies.ledger().bookImpulse(-m * ux, -m * uy, bodies.x(i), bodies.y(i));

@@ -222,17 +222,37 @@ final class ImpulseSolver {
         return (gradients.impulse[k] - applied[k]) * matrix.normalY(k);
     }
 
+    /** The number of the first body of a contact: bodies are numbered from 1 on, in the order of the contacts. */
+    int firstNumber(int k) {
+        return matrix.firstNumber(k);
+    }
+
+    /** The same of the second, 0 for any wall. */
+    int secondNumber(int k) {
+        return matrix.secondNumber(k);
+    }
+
+    /** One more than the last number. */
+    int numbers() {
+        return matrix.numbers();
+    }
+
+    /** The body of a number. */
+    int slot(int number) {
+        return matrix.slot(number);
+    }
+
     /** The inverse mass that a body has here. */
-    double inverseMass(int i) {
-        return matrix.inverseMass(i);
+    double inverseMass(int number) {
+        return matrix.inverseMass(number);
     }
 
-    /** The change of velocity of a body. */
-    double pushX(int i) {
-        return matrix.velocityX(i);
+    /** The change of velocity of a body, 0 for the walls. */
+    double pushX(int number) {
+        return matrix.velocityX(number);
     }
 
-    double pushY(int i) {
-        return matrix.velocityY(i);
+    double pushY(int number) {
+        return matrix.velocityY(number);
     }
 }

@@ -112,22 +112,25 @@ final class Parting {
             int b = touching.second(k);
             double radius = b < 0 ? bodies.radius(a) : 0.5 * (bodies.radius(a) + bodies.radius(b));
             double most = FASTEST * radius * dt;
-            share = Math.min(share, most / Math.max(most, moved(a)));
-            share = b < 0 ? share : Math.min(share, most / Math.max(most, moved(b)));
+            share = Math.min(share, most / Math.max(most, moved(solver.firstNumber(k))));
+            share = b < 0 ? share : Math.min(share, most / Math.max(most, moved(solver.secondNumber(k))));
         }
         return share;
     }
 
-    private double moved(int i) {
-        return Math.sqrt(solver.pushX(i) * solver.pushX(i) + solver.pushY(i) * solver.pushY(i));
+    private double moved(int number) {
+        double x = solver.pushX(number);
+        double y = solver.pushY(number);
+        return Math.sqrt(x * x + y * y);
     }
 
     private void move(Bodies bodies, double share) {
         double energy = 0;
         double moment = 0;
-        for (int i = 0; i < bodies.count(); i++) {
-            double ux = share * solver.pushX(i);
-            double uy = share * solver.pushY(i);
+        for (int number = 1; number < solver.numbers(); number++) {
+            int i = solver.slot(number);
+            double ux = share * solver.pushX(number);
+            double uy = share * solver.pushY(number);
             if (ux != 0 || uy != 0) {
                 energy -= bodies.mass(i) * (ux * bodies.ax(i) + uy * bodies.ay(i));
                 moment += bodies.mass(i) * (ux * bodies.vy(i) - uy * bodies.vx(i));

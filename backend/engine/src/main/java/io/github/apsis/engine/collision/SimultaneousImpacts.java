@@ -24,7 +24,6 @@ final class SimultaneousImpacts {
     private double[] normalY = new double[8];
     private double[] closingSpeed = new double[8];
     private double[] bounce = new double[8]; // 1 + e
-    private int bodyCount;
     private double work; // mass · length² / time²
     private int bodies;
     private int[] partners = new int[16]; // contacts of each body in this moment, where there is more than one
@@ -145,42 +144,27 @@ final class SimultaneousImpacts {
         return bounce[k];
     }
 
-    /** The bodies in these contacts, each once, in the order of the contacts: in this array, or in a longer one. */
-    int[] bodies(int[] into) {
-        int[] list = 2 * size > into.length ? new int[4 * size] : into;
-        bodyCount = 0;
-        for (int k = 0; k < size; k++) {
-            list(list, first[k]);
-            list(list, second[k]);
-        }
-        for (int k = 0; k < bodyCount; k++) {
-            partners[list[k]] = -partners[list[k]];
-        }
-        return list;
+    /** One more than the highest number: the bodies in these contacts are numbered from 1 on, in the order of the contacts. */
+    int numbers() {
+        return solver.numbers();
     }
 
-    private void list(int[] into, int i) {
-        if (touches(i)) {
-            partners[i] = -partners[i]; // listed
-            into[bodyCount++] = i;
-        }
-    }
-
-    int bodyCount() {
-        return bodyCount;
+    /** The body of a number. */
+    int slot(int number) {
+        return solver.slot(number);
     }
 
     /** The inverse mass that a body has in these impacts. */
-    double inverseMass(int i) {
-        return solver.inverseMass(i);
+    double inverseMass(int number) {
+        return solver.inverseMass(number);
     }
 
     /** The change of velocity of a body. */
-    double pushX(int i) {
-        return solver.pushX(i);
+    double pushX(int number) {
+        return solver.pushX(number);
     }
 
-    double pushY(int i) {
-        return solver.pushY(i);
+    double pushY(int number) {
+        return solver.pushY(number);
     }
 }
