@@ -26,6 +26,9 @@ final class HeapSolver {
     /** Impulses that miss by more than this share of the most that a contact lacks are sooner found from nothing. */
     private static final double NEAR = 1e-2;
 
+    /** So near three factors may do: of 436 that missed by more, in a fall of 1000 discs, four did. */
+    private static final double NEARER = 1e-4;
+
     private final HeapMatrix heap = new HeapMatrix();
     private final AugmentedLagrangian lagrangian = new AugmentedLagrangian();
     private final InteriorPoint interiorPoint = new InteriorPoint();
@@ -63,14 +66,14 @@ final class HeapSolver {
                 heap.set(matrix, bodies);
             }
         }
-        if (error > enough && error <= near) {
+        if (error > enough && error <= NEARER * most) {
             error = lagrangian.improve(heap, lack, stiffness, allowed, FEW_FACTORS, impulse);
         }
         if (error > enough) {
             if (error <= near) {
                 error = refine(lack, error, allowed, impulse);
             }
-            if (error > enough && interiorPoint.solve(heap, lack, most, impulse)) {
+            if (error > enough && interiorPoint.solve(heap, lack, most, allowed, impulse)) {
                 refine(lack, lagrangian.error(heap, lack, impulse), allowed, impulse);
             }
             heap.forget(); // it is of another stiffness
@@ -82,10 +85,16 @@ final class HeapSolver {
         heap.forget();
     }
 
+    /** Tries one stiffness after the other; where one has improved nothing, none that is stiffer ever did. */
     private double refine(double[] lack, double before, double allowed, double[] impulse) {
         double error = before;
-        for (double next = SOFTEST; next <= STIFFEST && error > ImpulseSolver.GOOD_ENOUGH * allowed; next *= STIFFER) {
-            error = lagrangian.improve(heap, lack, next, allowed, MOST_FACTORS, impulse);
+        boolean improves = true;
+        for (double next = SOFTEST;
+                improves && next <= STIFFEST && error > ImpulseSolver.GOOD_ENOUGH * allowed;
+                next *= STIFFER) {
+            double improved = lagrangian.improve(heap, lack, next, allowed, MOST_FACTORS, impulse);
+            improves = improved < error;
+            error = improved;
         }
         return error;
     }

@@ -12,8 +12,11 @@ package io.github.apsis.engine.collision;
  * Optim. 2, 575) and one more (Gondzio 1996, Comput. Optim. Appl. 6, 137). It takes 20 to 30 factors, however deep the heap.
  */
 final class InteriorPoint {
-    /** √μ at which it ends, as a share of the most that a contact lacks. */
+    /** √μ at which it ends, as a share of the most that a contact lacks, */
     private static final double END = 1e-8;
+
+    /** or of what a contact may miss, which is more where bodies move. */
+    private static final double OF_ALLOWED = 0.1;
 
     /** ε: contacts yield by this, in the unit of A: bodies jammed between others would else be pressed without limit. */
     private static final double YIELD = 1e-11;
@@ -57,10 +60,11 @@ final class InteriorPoint {
      *
      * @param lack c, scaled as the matrix
      * @param most −c of the contact that lacks most, over 0
+     * @param allowed the speed by which a contact may miss what it should have
      * @param found where the impulses go, if it comes to an end
      * @return whether it does
      */
-    boolean solve(HeapMatrix heap, double[] lack, double most, double[] found) {
+    boolean solve(HeapMatrix heap, double[] lack, double most, double allowed, double[] found) {
         reserve(heap);
         int n = heap.size();
         for (int i = 0; i < heap.unknowns(); i++) {
@@ -70,7 +74,8 @@ final class InteriorPoint {
             impulse[k] = FIRST_IMPULSE * most;
             speed[k] = Math.max(lack[k], FIRST_SPEED * most);
         }
-        double goal = END * most * END * most;
+        double end = Math.max(END * most, OF_ALLOWED * allowed);
+        double goal = end * end;
         double mu = measure(heap, lack);
         for (int step = 0; step < MOST_STEPS && mu > goal; step++) {
             step(heap, mu);
