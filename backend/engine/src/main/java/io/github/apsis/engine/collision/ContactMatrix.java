@@ -37,7 +37,7 @@ final class ContactMatrix {
     private double[] inverseMass = new double[17];
     private double[] velocity = new double[34]; // x, y: what impulses give to the body
 
-    private double lightest; // inverse mass of a body without mass; 0 until one is asked for
+    private double massless; // inverse mass of a body without mass; 0 until one is asked for
 
     /** Forgets all contacts; there will be so many at most. */
     void begin(int contacts, Bodies all) {
@@ -53,7 +53,7 @@ final class ContactMatrix {
             hy = new double[capacity];
             scale = new double[capacity];
         }
-        lightest = 0;
+        massless = 0;
     }
 
     private int number(int i) {
@@ -77,10 +77,10 @@ final class ContactMatrix {
         if (all.mass(i) > 0 || all.isFixed(i)) {
             return all.inverseMass(i);
         }
-        if (lightest == 0) {
-            lightest = inverseMassWithoutMass(all);
+        if (massless == 0) {
+            massless = inverseMassWithoutMass(all);
         }
-        return lightest;
+        return massless;
     }
 
     private static double inverseMassWithoutMass(Bodies all) {

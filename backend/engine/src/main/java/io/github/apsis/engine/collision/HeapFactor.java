@@ -300,7 +300,7 @@ final class HeapFactor {
         return at;
     }
 
-    /** Cholesky's method on the first columns of the front, two bodies at a time: one at a time takes a quarter longer. */
+    /** Cholesky's method on the first columns of the front, two bodies at a time: each pass over a front takes four columns off it. */
     private void eliminate(int n, int own) {
         int j = 0;
         for (; j < own - 2; j += 4) {
