@@ -12,15 +12,24 @@ import java.util.Arrays;
  * own. A search finds bodies in a fixed order, and any number of threads may search at once.
  */
 final class Neighbours {
-    private static final double CELLS_PER_RANGE = 2;
+    private static final double COARSE = 1.0 / 2; // of the reach
+    private static final double FINE = 1.0 / 8;
+
+    /** Bodies from which on cells are fine: with 250 their rows cost more than they spare, with 10 000 a search looks at half as many. */
+    private static final int MANY = 1000;
+
+    private static final int FEW = 32; // large ones, which every search looks at
     private static final int FEWEST_BUCKETS = 64; // more than a search has columns: it meets no cell twice
     private static final double MOST_CELLS = 1e15; // away from the origin: farther out all bodies share the last one
 
     private double cell = 1; // length
+    private double perCell = 1;
     private int mask;
     private int count;
     private int small; // how many are in cells; the large ones stand behind them
-    private double largestRadius; // of those in cells
+    private double largestRadius; // of those in cells, as the next two
+    private double largestRootMass;
+    private double topSpeed;
 
     private final Workspace workspace;
     private int buckets;
@@ -38,13 +47,16 @@ final class Neighbours {
         this.workspace = workspace;
     }
 
-    /** Sorts all bodies, for searches of about this range, length. */
-    void sort(Bodies bodies, double range) {
+    /** Sorts all bodies, for searches of about this reach, length. */
+    void sort(Bodies bodies, double reach) {
         count = bodies.count();
-        cell = range / CELLS_PER_RANGE;
+        cell = reach * (isWorthFineCells(bodies, reach) ? FINE : COARSE);
+        perCell = 1 / cell;
         makeRoom();
         small = 0;
         largestRadius = 0;
+        double largestMass = 0;
+        double topSquared = 0;
         for (int i = 0; i < count; i++) {
             double r = bodies.radius(i);
             if (r > cell) {
@@ -55,8 +67,12 @@ final class Neighbours {
                 start[b + 1]++;
                 small++;
                 largestRadius = Math.max(largestRadius, r);
+                largestMass = Math.max(largestMass, bodies.mass(i));
+                topSquared = Math.max(topSquared, bodies.vx(i) * bodies.vx(i) + bodies.vy(i) * bodies.vy(i));
             }
         }
+        largestRootMass = Math.sqrt(largestMass);
+        topSpeed = Math.sqrt(topSquared);
         for (int b = 1; b < buckets + 2; b++) {
             start[b] += start[b - 1];
         }
@@ -68,6 +84,19 @@ final class Neighbours {
                 put(bodies, i, --last);
             }
         }
+    }
+
+    private static boolean isWorthFineCells(Bodies bodies, double reach) {
+        if (bodies.count() < MANY) {
+            return false;
+        }
+        int large = 0;
+        for (int i = 0; i < bodies.count(); i++) {
+            if (bodies.radius(i) > FINE * reach) {
+                large++;
+            }
+        }
+        return large <= FEW;
     }
 
     private void put(Bodies bodies, int i, int position) {
@@ -95,41 +124,45 @@ final class Neighbours {
     }
 
     private long cellOf(double coordinate) {
-        return (long) Math.floor(Math.max(-MOST_CELLS, Math.min(MOST_CELLS, coordinate / cell)));
+        return (long) Math.floor(Math.max(-MOST_CELLS, Math.min(MOST_CELLS, coordinate * perCell)));
     }
 
     private int bucketOf(long column, long line) {
         return (int) (line * 0x9E3779B97F4A7C15L >>> 20) + (int) column & mask;
     }
 
-    /** Offers a search every body whose rim is within its reach, and some that are not. */
-    void search(double px, double py, double reach, Nearest of) {
+    /**
+     * Offers a search every body that may be urgent enough for it, and some that are not: row by row from the nearest on, for what
+     * is near leaves little to take in of the rest.
+     */
+    void search(double px, double py, Nearest of) {
         for (int from = small; from < count; from += Nearest.AT_ONCE) {
             int large = of.sift(this, from, Math.min(count, from + Nearest.AT_ONCE));
             for (int f = 0; f < large; f++) {
                 of.offer(this, of.found(f));
             }
         }
-        double most = reach + largestRadius;
-        long fromColumn = cellOf(px - most);
-        int columns = (int) Math.min(mask, cellOf(px + most) - fromColumn);
         long own = cellOf(py);
-        long below = own - cellOf(py - most);
-        long above = cellOf(py + most) - own;
-        searchRow(fromColumn, columns, own, of);
-        for (long away = 1;
-                away <= Math.max(below, above);
-                away++) { // what is near leaves little to take in of the rest
-            if (away <= below) {
-                searchRow(fromColumn, columns, own - away, of);
-            }
-            if (away <= above) {
-                searchRow(fromColumn, columns, own + away, of);
-            }
+        double far = of.farthest(largestRadius, largestRootMass, topSpeed);
+        searchRow(px, far, own, of);
+        for (long away = 1; own - away >= cellOf(py - far) || own + away <= cellOf(py + far); away++) {
+            searchRow(px, halfChord(far, py - cell * (own - away + 1)), own - away, of);
+            searchRow(px, halfChord(far, cell * (own + away) - py), own + away, of);
+            far = of.farthest(largestRadius, largestRootMass, topSpeed);
         }
     }
 
-    private void searchRow(long fromColumn, int columns, long line, Nearest of) {
+    /** Half the width of a circle at a distance from its centre, below 0 outside. */
+    private static double halfChord(double radius, double distance) {
+        return distance > radius ? -1 : Math.sqrt(radius * radius - distance * distance);
+    }
+
+    private void searchRow(double px, double halfWidth, long line, Nearest of) {
+        if (halfWidth < 0) {
+            return;
+        }
+        long fromColumn = cellOf(px - halfWidth);
+        int columns = (int) Math.min(mask, cellOf(px + halfWidth) - fromColumn);
         int from = bucketOf(fromColumn, line);
         int to = from + columns;
         offer(start[from + 1], start[Math.min(to, mask) + 2], line, of);

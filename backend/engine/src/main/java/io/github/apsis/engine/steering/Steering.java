@@ -89,7 +89,7 @@ public final class Steering {
             return;
         }
         if (looksAround && isAnyDue()) {
-            neighbours.sort(bodies, range());
+            neighbours.sort(bodies, reach());
             courses.copy(bodies);
         }
         (ships.length < MANY ? alone : team).share(piece, (ships.length + PER_PIECE - 1) / PER_PIECE);
@@ -105,12 +105,12 @@ public final class Steering {
         return false;
     }
 
-    private double range() {
-        double range = 0;
+    private double reach() {
+        double reach = 0;
         for (int i : ships) {
-            range = Math.max(range, Planner.range(bodies, i));
+            reach = Math.max(reach, Planner.range(bodies, i) + bodies.radius(i));
         }
-        return range;
+        return reach;
     }
 
     private void steerPiece(int number, int member) {
