@@ -110,7 +110,7 @@ final class Neighbours {
     }
 
     private void makeRoom() {
-        buckets = Math.max(FEWEST_BUCKETS, 4 * Integer.highestOneBit(Math.max(1, count)));
+        buckets = Math.max(FEWEST_BUCKETS, 2 * Integer.highestOneBit(Math.max(1, count)));
         mask = buckets - 1;
         workspace.take(this);
         item = workspace.ints(0, count);
