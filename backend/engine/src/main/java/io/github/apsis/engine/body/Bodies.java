@@ -549,6 +549,60 @@ public final class Bodies {
         System.arraycopy(y, 0, toY, 0, count);
     }
 
+    /**
+     * Finds a circle around the move of every body from where it was: its centre, and a radius that leaves room for what its
+     * acceleration and thrust do in a time. Loops over columns, of which C2 makes vector code.
+     *
+     * @param fromX where the bodies were, length
+     * @param room time², by which accelerations are multiplied
+     * @param centreX is written, like the other two
+     */
+    public void encloseMoves(
+            double[] fromX, double[] fromY, double room, double[] centreX, double[] centreY, double[] reach) {
+        findMiddles(fromX, x, centreX, count);
+        findMiddles(fromY, y, centreY, count);
+        findDistances(fromX, x, fromY, y, reach, count);
+        for (int i = 0; i < count; i++) {
+            reach[i] = radius[i] + 0.5 * reach[i] + (Math.abs(ax[i]) + Math.abs(ay[i])) * room;
+        }
+        for (int i : ships()) {
+            double distance = Math.sqrt((x[i] - fromX[i]) * (x[i] - fromX[i]) + (y[i] - fromY[i]) * (y[i] - fromY[i]));
+            reach[i] = radius[i] + 0.5 * distance + accelerationWithThrust(i) * room;
+        }
+    }
+
+    private static void findMiddles(double[] from, double[] to, double[] middle, int count) {
+        for (int i = 0; i < count; i++) {
+            middle[i] = from[i] + 0.5 * (to[i] - from[i]);
+        }
+    }
+
+    private static void findDistances(
+            double[] fromX, double[] toX, double[] fromY, double[] toY, double[] distance, int count) {
+        for (int i = 0; i < count; i++) {
+            double wx = toX[i] - fromX[i];
+            double wy = toY[i] - fromY[i];
+            distance[i] = Math.sqrt(wx * wx + wy * wy);
+        }
+    }
+
+    /** No body accelerates more, length / time²: |ax| + |ay|, by forces, and by thrust as well. */
+    public double mostAcceleration() {
+        double most = 0;
+        for (int i = 0; i < count; i++) {
+            double acceleration = Math.abs(ax[i]) + Math.abs(ay[i]);
+            most = acceleration > most ? acceleration : most; // Math.max would wait for the one before
+        }
+        for (int i : ships()) {
+            most = Math.max(most, accelerationWithThrust(i));
+        }
+        return most;
+    }
+
+    private double accelerationWithThrust(int i) {
+        return Math.abs(ax[i] + thrustAccelerationX(i)) + Math.abs(ay[i] + thrustAccelerationY(i));
+    }
+
     /** Copies the velocities of all bodies. */
     public void copyVelocities(double[] toVx, double[] toVy) {
         System.arraycopy(vx, 0, toVx, 0, count);

@@ -30,14 +30,17 @@ final class BroadPhase {
     /** Sorts the paths of all bodies. */
     void build(Bodies bodies, Paths paths) {
         grid.begin(bodies.count());
-        double most = 0;
-        for (int i = 0; i < bodies.count(); i++) {
-            double acceleration = acceleration(bodies, i);
-            most = acceleration > most ? acceleration : most; // Math.max would wait for the one before
-            grid.set(i, x(bodies, paths, i), y(bodies, paths, i), reach(bodies, paths, i, acceleration));
-        }
-        mostAcceleration = most;
+        paths.enclose(bodies, grid.centresX(), grid.centresY(), grid.radii());
+        widen(grid.radii(), bodies.count());
+        grid.takeAll();
+        mostAcceleration = bodies.mostAcceleration();
         grid.build();
+    }
+
+    private static void widen(double[] radii, int count) {
+        for (int i = 0; i < count; i++) {
+            radii[i] *= GRAZING;
+        }
     }
 
     /** No body that was sorted is accelerated more. */
@@ -60,8 +63,7 @@ final class BroadPhase {
 
     /** The path of a body has been bent. */
     void update(Bodies bodies, Paths paths, int i) {
-        double reach = reach(bodies, paths, i, acceleration(bodies, i));
-        grid.move(i, x(bodies, paths, i), y(bodies, paths, i), reach);
+        grid.move(i, x(bodies, paths, i), y(bodies, paths, i), reach(bodies, paths, i));
     }
 
     private static double acceleration(Bodies bodies, int i) {
@@ -76,14 +78,11 @@ final class BroadPhase {
         return paths.startY(i) + 0.5 * (bodies.y(i) - paths.startY(i));
     }
 
-    private static double reach(Bodies bodies, Paths paths, int i, double acceleration) {
+    private static double reach(Bodies bodies, Paths paths, int i) {
         double wx = bodies.x(i) - paths.startX(i);
         double wy = bodies.y(i) - paths.startY(i);
-        double length = paths.dt() - paths.startTime(i);
-        // A parabola leaves its chord by a T²/8 at most; a body that is stopped by another is a T² from where it would
-        // be.
-        double bulge = length * length / 8 + paths.dt() * paths.dt();
-        return GRAZING * (bodies.radius(i) + 0.5 * Math.sqrt(wx * wx + wy * wy) + acceleration * bulge);
+        double room = paths.room(paths.dt() - paths.startTime(i));
+        return GRAZING * (bodies.radius(i) + 0.5 * Math.sqrt(wx * wx + wy * wy) + acceleration(bodies, i) * room);
     }
 
     /**

@@ -48,6 +48,19 @@ final class Paths {
         }
     }
 
+    /** Finds circles around the paths, none of which has been bent: see {@link Bodies#encloseMoves}. */
+    void enclose(Bodies bodies, double[] centreX, double[] centreY, double[] reach) {
+        bodies.encloseMoves(startX, startY, room(dt), centreX, centreY, reach);
+    }
+
+    /**
+     * Time², by which an acceleration is multiplied: a parabola leaves its chord by a T²/8 at most, and a body that is stopped by
+     * another is a dt² from where it would be.
+     */
+    double room(double length) {
+        return length * length / 8 + dt * dt;
+    }
+
     double dt() {
         return dt;
     }

@@ -7,8 +7,8 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Circles of any size and which of them touch: {@link #begin}, {@link #set} for every circle, {@link #build}, then
- * {@link #findPairs}; and where some change later {@link #move}, and {@link #query} for what touches one.
+ * Circles of any size and which of them touch: {@link #begin}, {@link #set} for every circle or all at once, {@link #build},
+ * then {@link #findPairs}; and where some change later {@link #move}, and {@link #query} for what touches one.
  *
  * <p>A circle belongs to a grid whose cells are as wide as it is, or up to four times as wide, so it reaches half a cell beyond
  * its own at most and meets circles of its grid in the eight cells around alone; grids of other sizes are asked around it. Cells
@@ -125,6 +125,36 @@ public final class CircleGrid {
         x[i] = period == null ? centreX : period.insideX(centreX);
         y[i] = period == null ? centreY : period.insideY(centreY);
         reach[i] = withRounding(centreX, centreY, radius);
+    }
+
+    /** Where the centres of all circles can be written at once, as the radii; {@link #takeAll} then. */
+    public double[] centresX() {
+        return x;
+    }
+
+    public double[] centresY() {
+        return y;
+    }
+
+    public double[] radii() {
+        return reach;
+    }
+
+    /** All circles have been written, as if {@link #set} had been called for each. */
+    public void takeAll() {
+        addRounding(x, y, reach, count);
+        if (period != null) {
+            for (int i = 0; i < count; i++) {
+                x[i] = period.insideX(x[i]);
+                y[i] = period.insideY(y[i]);
+            }
+        }
+    }
+
+    private static void addRounding(double[] x, double[] y, double[] reach, int count) {
+        for (int i = 0; i < count; i++) {
+            reach[i] = withRounding(x[i], y[i], reach[i]);
+        }
     }
 
     private static double withRounding(double centreX, double centreY, double radius) {
