@@ -586,6 +586,27 @@ public final class Bodies {
         }
     }
 
+    /**
+     * Finds the gap between the rim of every body and the nearest side of a box around all: 0 where they touch, negative beyond. A
+     * side may be infinitely far. A loop over columns, of which C2 makes vector code.
+     *
+     * @param gap is written, length
+     */
+    public void findGaps(double minX, double minY, double maxX, double maxY, double[] gap) {
+        for (int i = 0; i < count; i++) {
+            double across = Math.min(x[i] - minX, maxX - x[i]);
+            double up = Math.min(y[i] - minY, maxY - y[i]);
+            gap[i] = Math.min(across, up) - radius[i];
+        }
+    }
+
+    /** Narrows these gaps to that of a line as well, whose normal points to where the bodies are. */
+    public void narrowGaps(double normalX, double normalY, double offset, double[] gap) {
+        for (int i = 0; i < count; i++) {
+            gap[i] = Math.min(gap[i], normalX * x[i] + normalY * y[i] - offset - radius[i]);
+        }
+    }
+
     /** No body accelerates more, length / time²: |ax| + |ay|, by forces, and by thrust as well. */
     public double mostAcceleration() {
         double most = 0;

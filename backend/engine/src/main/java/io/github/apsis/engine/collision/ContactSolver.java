@@ -55,7 +55,8 @@ public final class ContactSolver {
                 approach,
                 touching,
                 lying,
-                mode);
+                mode,
+                workspace);
         restingContacts = () -> new RestingContacts(touching, approach, walls, period);
         resting = restingContacts.get();
         standstill = new Standstill(paths, touching, held, lying, workspace);

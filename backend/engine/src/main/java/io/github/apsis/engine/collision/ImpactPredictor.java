@@ -2,6 +2,7 @@ package io.github.apsis.engine.collision;
 
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.math.Period;
+import io.github.apsis.engine.spatial.Workspace;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,7 +29,7 @@ final class ImpactPredictor {
     private final PairIndex hopping = new PairIndex(); // come to rest in this tick
     private final int[] close = new int[256]; // numbers of pairs
     private final PairList gentle = new PairList(); // found since the last were listed
-    private final int[] beyond = new int[256]; // bodies that end their paths at a wall or beyond
+    private final Workspace workspace;
     private double mostAcceleration; // of any body in this tick, or more
     private final int mostImpacts; // of one body in a tick; what comes after is at rest
 
@@ -42,7 +43,8 @@ final class ImpactPredictor {
             Touching touching,
             LyingHeaps lying,
             ContactMode mode,
-            int mostImpacts) {
+            int mostImpacts,
+            Workspace workspace) {
         this.broadPhase = broadPhase;
         this.walls = walls;
         this.period = period;
@@ -53,6 +55,7 @@ final class ImpactPredictor {
         this.lying = lying;
         this.mode = mode;
         this.mostImpacts = mostImpacts;
+        this.workspace = workspace;
         this.meeting = new Meeting(paths, period, mode);
     }
 
@@ -97,12 +100,12 @@ final class ImpactPredictor {
             }
             return;
         }
-        for (int from = 0; from < bodies.count(); from += beyond.length) {
-            int found = set.findBeyond(bodies, from, beyond);
-            for (int k = 0; k < found; k++) {
-                if (!lying.contains(beyond[k])) {
-                    predictWalls(bodies, beyond[k]);
-                }
+        workspace.take(this);
+        double[] gaps = workspace.doubles(0, bodies.count());
+        set.findGaps(bodies, gaps);
+        for (int i = 0; i < bodies.count(); i++) {
+            if (!(gaps[i] > 0) && !lying.contains(i)) {
+                predictWalls(bodies, i);
             }
         }
     }

@@ -2,6 +2,7 @@ package io.github.apsis.engine.collision;
 
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.math.Period;
+import io.github.apsis.engine.spatial.Workspace;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -45,7 +46,8 @@ final class Impacts {
             Approach approach,
             Touching touching,
             LyingHeaps lying,
-            ContactMode mode) {
+            ContactMode mode,
+            Workspace workspace) {
         this.restitution = restitution;
         this.mode = mode;
         this.mostBounces = mostBounces(mode, Math.max(restitution, walls == null ? 0 : wallRestitution));
@@ -53,7 +55,7 @@ final class Impacts {
         this.paths = paths;
         this.approach = approach;
         this.predictor = new ImpactPredictor(
-                broadPhase, walls, period, paths, approach, queue, touching, lying, mode, 2 * mostBounces);
+                broadPhase, walls, period, paths, approach, queue, touching, lying, mode, 2 * mostBounces, workspace);
     }
 
     /**
