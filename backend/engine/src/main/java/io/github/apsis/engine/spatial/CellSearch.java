@@ -95,21 +95,36 @@ final class CellSearch {
      * three, and how long they are is past guessing: to compare with two and three, and keep what is in the run, is faster.
      */
     private void compareWithRuns(double[] a, int p, int end, int from, int to) {
-        if (end - p <= 3 && to - from <= 3 && period == null) {
-            double px = a[3 * p];
-            double py = a[3 * p + 1];
-            double pr = a[3 * p + 2];
-            long apart = apart(a, p + 1, px, py, pr)
-                    & apart(a, p + 2, px, py, pr)
-                    & apart(a, from, px, py, pr)
-                    & apart(a, from + 1, px, py, pr)
-                    & apart(a, from + 2, px, py, pr);
-            if (apart < 0) {
-                return;
-            }
+        if (end - p > 3 || to - from > 3 || period != null) {
+            compareWithRun(a, p, p + 1, end);
+            compareWithRun(a, p, from, to);
+            return;
         }
-        compareWithRun(a, p, p + 1, end);
-        compareWithRun(a, p, from, to);
+        double px = a[3 * p];
+        double py = a[3 * p + 1];
+        double pr = a[3 * p + 2];
+        long one = apart(a, p + 1, px, py, pr);
+        long two = apart(a, p + 2, px, py, pr);
+        long three = apart(a, from, px, py, pr);
+        long four = apart(a, from + 1, px, py, pr);
+        long five = apart(a, from + 2, px, py, pr);
+        if ((one & two & three & four & five) < 0) {
+            return;
+        }
+        makeRoom(5);
+        pairs += put(p, p + 1, end, one);
+        pairs += put(p, p + 2, end, two);
+        pairs += put(p, from, to, three);
+        pairs += put(p, from + 1, to, four);
+        pairs += put(p, from + 2, to, five);
+    }
+
+    /** Writes a pair behind the last; 1 if it stays there, as it does when the other is in its run and not apart. */
+    private int put(int p, int q, int end, long apart) {
+        int other = grid.circle[q];
+        first[pairs] = Math.min(grid.circle[p], other);
+        second[pairs] = Math.max(grid.circle[p], other);
+        return q - end >>> 31 & (int) (apart >>> 63) - 1;
     }
 
     /** Negative when two do not touch: the sign of a difference, which is no branch. */
@@ -129,12 +144,16 @@ final class CellSearch {
     }
 
     private void add(int p, int q) {
-        if (pairs == first.length) {
-            first = Arrays.copyOf(first, 2 * pairs);
-            second = Arrays.copyOf(second, 2 * pairs);
-        }
+        makeRoom(1);
         first[pairs] = Math.min(grid.circle[p], grid.circle[q]);
         second[pairs++] = Math.max(grid.circle[p], grid.circle[q]);
+    }
+
+    private void makeRoom(int more) {
+        if (pairs + more > first.length) {
+            first = Arrays.copyOf(first, 2 * first.length);
+            second = Arrays.copyOf(second, first.length);
+        }
     }
 
     /** Notes a run of places as neighbours of another. */

@@ -116,7 +116,7 @@ public final class CircleGrid {
         reach = workspace.doubles(2, circles);
         at = workspace.doubles(3, 3 * (circles + 3)); // a look at three goes beyond the last
         place = workspace.ints(0, circles);
-        circle = workspace.ints(1, circles);
+        circle = workspace.ints(1, circles + 3);
         home = workspace.ints(2, circles);
     }
 
