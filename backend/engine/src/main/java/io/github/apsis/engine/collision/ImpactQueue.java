@@ -27,32 +27,46 @@ final class ImpactQueue {
             versions = Arrays.copyOf(versions, 2 * size);
         }
         long pushed = (long) a << 32 | (long) b - Integer.MIN_VALUE;
-        int k = size++;
-        while (k > 0 && isBefore(t, pushed, (k - 1) / 2)) {
+        rise(size++, t, pushed, (long) versionOfA << 32 | versionOfB);
+    }
+
+    /**
+     * Takes the earliest impact off; that stands at the head: {@link #time}, {@link #first} and the others read it. The gap it
+     * leaves goes down to the end along the earlier children, for which nothing needs to be guessed, and what was last goes up from
+     * there, by a step or none (Wegener 1993, Theor. Comput. Sci. 118, 81).
+     */
+    void pop() {
+        size--;
+        int gap = 0;
+        while (2 * gap + 2 < size) {
+            int child = earlier(2 * gap + 1);
+            move(child, gap);
+            gap = child;
+        }
+        if (2 * gap + 1 < size) {
+            move(2 * gap + 1, gap);
+            gap = 2 * gap + 1;
+        }
+        rise(gap, time[size], pair[size], versions[size]);
+    }
+
+    /** Of an entry and the next. */
+    private int earlier(int k) {
+        double later = time[k + 1] - time[k];
+        if (later == 0) {
+            return pair[k + 1] < pair[k] ? k + 1 : k;
+        }
+        return k + (int) (Double.doubleToRawLongBits(later) >>> 63); // 1 where negative, without a branch
+    }
+
+    /** Moves an entry up from a gap to where it belongs. */
+    private void rise(int gap, double t, long bodies, long versionsOfBoth) {
+        int k = gap;
+        while (k > 0 && isBefore(t, bodies, (k - 1) / 2)) {
             move((k - 1) / 2, k);
             k = (k - 1) / 2;
         }
-        set(k, t, pushed, (long) versionOfA << 32 | versionOfB);
-    }
-
-    /** The earliest impact stands at the head: {@link #time}, {@link #first} and the others read it. */
-    void pop() {
-        size--;
-        double t = time[size];
-        long moved = pair[size];
-        int k = 0;
-        while (2 * k + 1 < size) {
-            int child = 2 * k + 1;
-            if (child + 1 < size && isBefore(time[child + 1], pair[child + 1], child)) {
-                child++;
-            }
-            if (isBefore(t, moved, child)) {
-                break;
-            }
-            move(child, k);
-            k = child;
-        }
-        set(k, t, moved, versions[size]);
+        set(k, t, bodies, versionsOfBoth);
     }
 
     double time() {
