@@ -32,6 +32,7 @@ public final class Bodies {
     private int count;
     private long lastId;
     private boolean accelerationsCurrent;
+    private boolean isForced; // false where no acceleration differs from 0
     private long revision;
     private long removals;
     private final Ledger ledger = new Ledger();
@@ -295,6 +296,7 @@ public final class Bodies {
     public void setAcceleration(int i, double newAx, double newAy) {
         ax[i] = newAx;
         ay[i] = newAy;
+        isForced = true;
         accelerationsCurrent = false;
     }
 
@@ -417,9 +419,11 @@ public final class Bodies {
 
     /** v += (a + thrust / m) · h for every free body; thrust only where there are ships, and its work is booked. */
     public void kick(double h) {
-        for (int i = 0; i < count; i++) {
-            vx[i] += ax[i] * h;
-            vy[i] += ay[i] * h;
+        if (isForced) {
+            for (int i = 0; i < count; i++) {
+                vx[i] += ax[i] * h;
+                vy[i] += ay[i] * h;
+            }
         }
         kickByOthers(h);
     }
@@ -446,10 +450,20 @@ public final class Bodies {
         vy[i] += dvy;
     }
 
+    /** There are no forces: all accelerations are zero, and nobody asks for them again until then. */
+    public void setUnforced() {
+        if (isForced) {
+            clearAccelerations();
+        }
+        isForced = false;
+        accelerationsCurrent = true;
+    }
+
     /** Sets every acceleration to zero, before the force laws add theirs. */
     public void clearAccelerations() {
         Arrays.fill(ax, 0, count, 0);
         Arrays.fill(ay, 0, count, 0);
+        isForced = true;
         outsideX = 0;
         outsideY = 0;
         outsideMoment = 0;
@@ -609,13 +623,18 @@ public final class Bodies {
 
     /** No body accelerates more, length / time²: |ax| + |ay|, by forces, and by thrust as well. */
     public double mostAcceleration() {
+        double most = isForced ? mostByForces() : 0;
+        for (int i : ships()) {
+            most = Math.max(most, accelerationWithThrust(i));
+        }
+        return most;
+    }
+
+    private double mostByForces() {
         double most = 0;
         for (int i = 0; i < count; i++) {
             double acceleration = Math.abs(ax[i]) + Math.abs(ay[i]);
             most = acceleration > most ? acceleration : most; // Math.max would wait for the one before
-        }
-        for (int i : ships()) {
-            most = Math.max(most, accelerationWithThrust(i));
         }
         return most;
     }

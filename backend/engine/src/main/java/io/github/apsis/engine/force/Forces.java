@@ -20,6 +20,10 @@ public final class Forces {
 
     /** Makes every acceleration belong to the present positions. */
     public void evaluate(Bodies bodies) {
+        if (laws.length == 0) {
+            bodies.setUnforced();
+            return;
+        }
         bodies.clearAccelerations();
         for (int k = 0; k < laws.length; k++) {
             laws[k].apply(bodies);
