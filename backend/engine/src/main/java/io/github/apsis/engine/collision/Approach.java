@@ -7,6 +7,9 @@ final class Approach {
     /** A closing speed below this share of the speeds it is the difference of is rounding. */
     private static final double ROUNDING = 1e-12;
 
+    /** The same where it was found in another way, and a path may be many radii long. */
+    private static final double DOUBT = 1e-8;
+
     /** Sums and squares may round to either side. */
     private static final double SURELY = 1 - 1e-12;
 
@@ -84,6 +87,13 @@ final class Approach {
      */
     boolean isGentle(Bodies bodies, int a, int b) {
         return isGentle(bodies, a, b, contact, closingSpeed, mode.restingTicks());
+    }
+
+    /** Whether two bodies that close so fast bounce whatever their normal is, when no body is accelerated more. */
+    boolean isSurelyBounce(Bodies bodies, int a, int b, double closing, double mostAcceleration) {
+        double pressed = 2 * mostAcceleration * paths.dt();
+        double borne = Math.max(touching.support(a), touching.support(b));
+        return closing > mode.restingTicks() * pressed + 2 * borne + DOUBT * speeds(bodies, a, b);
     }
 
     /** Whether two bodies move past each other so slowly all through the tick that no normal could make their contact a bounce. */

@@ -233,6 +233,11 @@ final class ImpactPredictor {
         return broadPhase == null ? -1 : broadPhase.near(hit);
     }
 
+    /** Whether two who part in an impact may meet again in the tick: nobody does where no path is curved. */
+    boolean mayMeetAgain() {
+        return mostAcceleration > 0 || period != null;
+    }
+
     /** Looks whether two bodies meet on the paths that an impact between them has left. */
     void predictAgain(Bodies bodies, int a, int b) {
         predict(bodies, a, b);
@@ -348,6 +353,12 @@ final class ImpactPredictor {
     }
 
     private boolean isAtRest(Bodies bodies, int a, int b, double t) {
+        if (b >= 0 && period == null) {
+            double closing = meeting.closingSpeed(bodies, t, bodies.radius(a) + bodies.radius(b));
+            if (approach.isSurelyBounce(bodies, a, b, closing, mostAcceleration)) {
+                return false; // by far the usual case in a gas
+            }
+        }
         approach.measure(bodies, a, b, t);
         return approach.isGentle(bodies, a, b);
     }

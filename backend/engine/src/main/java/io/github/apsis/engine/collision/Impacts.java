@@ -186,7 +186,9 @@ final class Impacts {
         predictor.predictNext(bodies, a, b);
         if (b >= 0) {
             predictor.predictNext(bodies, b, a);
-            predictor.predictAgain(bodies, a, b);
+            if (moment.bounce(0) == 1 || predictor.mayMeetAgain()) {
+                predictor.predictAgain(bodies, a, b);
+            }
         }
     }
 

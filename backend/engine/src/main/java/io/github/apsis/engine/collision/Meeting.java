@@ -136,6 +136,19 @@ final class Meeting {
                 share, fromX, fromY, toX - fromX, toY - fromY, bx, by, t0, paths.dt(), sumOfRadii);
     }
 
+    /** How fast the rims close at a time when they touch, length / time, or NaN at the very end of a tick; not in a periodic world. */
+    double closingSpeed(Bodies bodies, double t, double sumOfRadii) {
+        accelerate(bodies);
+        double share = (t - t0) / (paths.dt() - t0);
+        double bend = 0.5 * (t - t0) * (paths.dt() - t);
+        double dx = d0x + (d1x - d0x) * share - bx * bend;
+        double dy = d0y + (d1y - d0y) * share - by * bend;
+        double since = t - 0.5 * paths.dt();
+        double vx = bodies.vx(other) - bodies.vx(one) + bx * since;
+        double vy = bodies.vy(other) - bodies.vy(one) + by * since;
+        return -(dx * vx + dy * vy) / sumOfRadii;
+    }
+
     /** Whether circles that touch already come closer. At the end of a tick no path is left, so velocities decide. */
     private boolean approach(Bodies bodies, double dx, double dy) {
         double vx = paths.vxAt(bodies, other, t0) - paths.vxAt(bodies, one, t0);
