@@ -315,7 +315,7 @@ public final class Bodies {
             for (int i = 0; i < count; i++) {
                 drift(i, vx[i] * h + low.x(i), vy[i] * h + low.y(i));
             }
-        } else if (low.isEmpty() && !mayLose(x, vx, h) && !mayLose(y, vy, h)) {
+        } else if (low.isEmpty() && !mayLose(h)) {
             move(x, vx, h);
             move(y, vy, h);
         } else {
@@ -325,10 +325,11 @@ public final class Bodies {
     }
 
     /** Whether a sum of this drift may be one of which {@link #lost} is not 0. */
-    private boolean mayLose(double[] from, double[] velocity, double h) {
+    private boolean mayLose(double h) {
+        double far = 0.5 * FAR * h;
         boolean may = false;
         for (int i = 0; i < count; i++) {
-            may |= Math.abs(from[i]) > 0.5 * FAR * Math.abs(velocity[i] * h);
+            may |= Math.abs(x[i]) > Math.abs(vx[i] * far) | Math.abs(y[i]) > Math.abs(vy[i] * far);
         }
         return may;
     }

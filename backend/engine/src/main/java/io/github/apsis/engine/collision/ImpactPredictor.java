@@ -103,11 +103,21 @@ final class ImpactPredictor {
         workspace.take(this);
         double[] gaps = workspace.doubles(0, bodies.count());
         set.findGaps(bodies, gaps);
-        for (int i = 0; i < bodies.count(); i++) {
-            if (!(gaps[i] > 0) && !lying.contains(i)) {
+        for (int i = nextClosed(gaps, 0, bodies.count());
+                i < bodies.count();
+                i = nextClosed(gaps, i + 1, bodies.count())) {
+            if (!lying.contains(i)) {
                 predictWalls(bodies, i);
             }
         }
+    }
+
+    private static int nextClosed(double[] gaps, int from, int to) {
+        int i = from;
+        while (i < to && gaps[i] > 0) {
+            i++;
+        }
+        return i;
     }
 
     private void predictPairs(Bodies bodies, BroadPhase near, int pairs) {
