@@ -10,10 +10,14 @@ import org.jspecify.annotations.Nullable;
  */
 final class CellSearch {
     private static final int AT_ONCE = 4096; // neighbours are compared before there are more
+    private static final int AT_A_TIME = 64; // places
 
     private final CircleGrid grid;
     private final @Nullable Period period;
 
+    private final int[] candidate = new int[AT_A_TIME]; // places that touch one ahead
+    private final int[] other = new int[AT_A_TIME]; // places whose surroundings must be looked up
+    private int others;
     private int neighbours;
     private long[] neighbour = new long[64]; // place << 32 | other place
     private int pairs;
@@ -36,32 +40,114 @@ final class CellSearch {
         }
     }
 
-    /** Pairs of one level: each circle with those behind it in its cell, with the cell to the right, and with three of the next row. */
+    /**
+     * Pairs of one level: each circle with those behind it in its cell, with the cell to the right, and with three of the next row.
+     * Most touch none of these; those that do are found first and paired after, in loops in which nothing is called and nothing
+     * need be guessed.
+     */
     private void pairWithin(int l, int share, int shares) {
-        int[] start = grid.start;
-        int[] home = grid.home;
-        double[] at = grid.at;
-        int across = grid.columns[l];
-        int from = place(l, share, shares);
-        int to = place(l, share + 1, shares);
-        for (int row = 0; row < grid.rows[l]; row++) {
-            int here = grid.firstCell[l] + row * across;
-            if (start[here] < from || start[here] >= to) {
-                continue; // another's, or empty at the end
-            }
-            int next = row + 1 < grid.rows[l] ? here + across : grid.firstCell[l];
-            int last = start[here + across];
-            for (int p = start[here]; p < last; p++) {
-                int column = home[p] - here;
-                if (column > 0 && column < across - 1 && next != here) {
-                    compareWithRuns(
-                            at, p, start[here + column + 2], start[next + column - 1], start[next + column + 2]);
-                } else {
-                    gatherAtSeam(p, column, across, here, next);
-                }
+        int end = place(l, share + 1, shares);
+        for (int p = place(l, share, shares); p < end; p += AT_A_TIME) {
+            int found = sift(l, p, Math.min(end, p + AT_A_TIME));
+            pairAhead(l, found);
+            for (int k = 0; k < others; k++) {
+                gatherAhead(l, other[k]);
+                compareWhenMany();
             }
             compare();
         }
+    }
+
+    /**
+     * Lists the places that seem to touch one ahead. What is behind one in its row up to the next cell, and in three cells of the
+     * next row, are two runs of places, most shorter than three: to compare with two and with three is faster than to look how long
+     * they are. Places with longer runs, and those at the seam, are listed as others.
+     */
+    private int sift(int l, int from, int to) {
+        int[] start = grid.start;
+        int[] home = grid.home;
+        double[] at = grid.at;
+        int[] list = candidate;
+        int[] otherList = other;
+        int first = grid.firstCell[l];
+        int across = grid.columns[l];
+        int lastRow = first + (grid.rows[l] - 1) * across;
+        int found = 0;
+        int left = 0;
+        for (int p = from; p < to; p++) {
+            int cell = home[p];
+            int column = cell - first & across - 1;
+            otherList[left] = p;
+            if (period != null || column == 0 || column == across - 1 || cell >= lastRow) {
+                left++;
+                continue;
+            }
+            int end = start[cell + 2];
+            int next = start[cell + across - 1];
+            int nextEnd = start[cell + across + 2];
+            double px = at[3 * p];
+            double py = at[3 * p + 1];
+            double pr = at[3 * p + 2];
+            long apart = apart(at, p + 1, px, py, pr)
+                    & apart(at, p + 2, px, py, pr)
+                    & apart(at, next, px, py, pr)
+                    & apart(at, next + 1, px, py, pr)
+                    & apart(at, next + 2, px, py, pr);
+            int areShort = end - p - 4 & nextEnd - next - 4;
+            list[found] = p;
+            found += (int) (areShort >>> 31 & ~apart >>> 63);
+            left += 1 + (areShort >> 31);
+        }
+        others = left;
+        return found;
+    }
+
+    /** Makes pairs of the places that have been listed and of those ahead that they touch. */
+    private void pairAhead(int l, int found) {
+        makeRoom(5 * found);
+        int[] start = grid.start;
+        int[] home = grid.home;
+        int[] circle = grid.circle;
+        double[] at = grid.at;
+        int[] list = candidate;
+        int[] ones = first;
+        int[] twos = second;
+        int across = grid.columns[l];
+        int k = pairs;
+        for (int n = 0; n < found; n++) {
+            int p = list[n];
+            int cell = home[p];
+            int end = start[cell + 2];
+            int next = start[cell + across - 1];
+            int nextEnd = start[cell + across + 2];
+            double px = at[3 * p];
+            double py = at[3 * p + 1];
+            double pr = at[3 * p + 2];
+            int own = circle[p];
+            k += put(ones, twos, k, own, circle[p + 1], p + 1 - end, apart(at, p + 1, px, py, pr));
+            k += put(ones, twos, k, own, circle[p + 2], p + 2 - end, apart(at, p + 2, px, py, pr));
+            k += put(ones, twos, k, own, circle[next], next - nextEnd, apart(at, next, px, py, pr));
+            k += put(ones, twos, k, own, circle[next + 1], next + 1 - nextEnd, apart(at, next + 1, px, py, pr));
+            k += put(ones, twos, k, own, circle[next + 2], next + 2 - nextEnd, apart(at, next + 2, px, py, pr));
+        }
+        pairs = k;
+    }
+
+    /** Writes a pair; 1 if it stays, as it does when the other is before the end of its run and not apart. */
+    private static int put(int[] first, int[] second, int k, int one, int other, int fromEnd, long apart) {
+        first[k] = Math.min(one, other);
+        second[k] = Math.max(one, other);
+        return fromEnd >>> 31 & (int) (~apart >>> 63);
+    }
+
+    private void gatherAhead(int l, int p) {
+        int across = grid.columns[l];
+        int cell = grid.home[p];
+        int row = grid.rowOf(cell, l);
+        int here = grid.firstCell[l] + row * across;
+        int column = cell - here;
+        int next = row + 1 < grid.rows[l] ? here + across : grid.firstCell[l];
+        gatherAtSeam(p, column, across, here, next);
     }
 
     /** Where a share of the circles of a level begins. */
@@ -90,57 +176,12 @@ final class CellSearch {
         }
     }
 
-    /**
-     * Compares a place with two runs of others: from behind it to an end, and from a beginning to an end. Most are shorter than
-     * three, and how long they are is past guessing: to compare with two and three, and keep what is in the run, is faster.
-     */
-    private void compareWithRuns(double[] a, int p, int end, int from, int to) {
-        if (end - p > 3 || to - from > 3 || period != null) {
-            compareWithRun(a, p, p + 1, end);
-            compareWithRun(a, p, from, to);
-            return;
-        }
-        double px = a[3 * p];
-        double py = a[3 * p + 1];
-        double pr = a[3 * p + 2];
-        long one = apart(a, p + 1, px, py, pr);
-        long two = apart(a, p + 2, px, py, pr);
-        long three = apart(a, from, px, py, pr);
-        long four = apart(a, from + 1, px, py, pr);
-        long five = apart(a, from + 2, px, py, pr);
-        if ((one & two & three & four & five) < 0) {
-            return;
-        }
-        makeRoom(5);
-        pairs += put(p, p + 1, end, one);
-        pairs += put(p, p + 2, end, two);
-        pairs += put(p, from, to, three);
-        pairs += put(p, from + 1, to, four);
-        pairs += put(p, from + 2, to, five);
-    }
-
-    /** Writes a pair behind the last; 1 if it stays there, as it does when the other is in its run and not apart. */
-    private int put(int p, int q, int end, long apart) {
-        int other = grid.circle[q];
-        first[pairs] = Math.min(grid.circle[p], other);
-        second[pairs] = Math.max(grid.circle[p], other);
-        return q - end >>> 31 & (int) (apart >>> 63) - 1;
-    }
-
     /** Negative when two do not touch: the sign of a difference, which is no branch. */
     private static long apart(double[] a, int q, double px, double py, double pr) {
         double dx = a[3 * q] - px;
         double dy = a[3 * q + 1] - py;
         double distance = a[3 * q + 2] + pr;
         return Double.doubleToRawLongBits(distance * distance - (dx * dx + dy * dy));
-    }
-
-    private void compareWithRun(double[] at, int p, int from, int to) {
-        for (int q = from; q < to; q++) {
-            if (touch(at[3 * q] - at[3 * p], at[3 * q + 1] - at[3 * p + 1], at[3 * q + 2] + at[3 * p + 2])) {
-                add(p, q);
-            }
-        }
     }
 
     private void add(int p, int q) {
@@ -151,7 +192,7 @@ final class CellSearch {
 
     private void makeRoom(int more) {
         if (pairs + more > first.length) {
-            first = Arrays.copyOf(first, 2 * first.length);
+            first = Arrays.copyOf(first, Math.max(pairs + more, 2 * first.length));
             second = Arrays.copyOf(second, first.length);
         }
     }
@@ -310,13 +351,9 @@ final class CellSearch {
 
     /** Puts the pairs that another search has found behind those of this. */
     void append(CellSearch other) {
-        int all = pairs + other.pairs;
-        if (all > first.length) {
-            first = Arrays.copyOf(first, Math.max(all, 2 * first.length));
-            second = Arrays.copyOf(second, first.length);
-        }
+        makeRoom(other.pairs);
         System.arraycopy(other.first, 0, first, pairs, other.pairs);
         System.arraycopy(other.second, 0, second, pairs, other.pairs);
-        pairs = all;
+        pairs += other.pairs;
     }
 }
