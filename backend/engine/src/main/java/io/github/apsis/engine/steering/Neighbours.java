@@ -66,9 +66,10 @@ final class Neighbours {
                 bucket[i] = b;
                 start[b + 1]++;
                 small++;
-                largestRadius = Math.max(largestRadius, r);
-                largestMass = Math.max(largestMass, bodies.mass(i));
-                topSquared = Math.max(topSquared, bodies.vx(i) * bodies.vx(i) + bodies.vy(i) * bodies.vy(i));
+                double squared = bodies.vx(i) * bodies.vx(i) + bodies.vy(i) * bodies.vy(i);
+                largestRadius = r > largestRadius ? r : largestRadius; // Math.max would wait for the one before
+                largestMass = bodies.mass(i) > largestMass ? bodies.mass(i) : largestMass;
+                topSquared = squared > topSquared ? squared : topSquared;
             }
         }
         largestRootMass = Math.sqrt(largestMass);
@@ -124,7 +125,8 @@ final class Neighbours {
     }
 
     private long cellOf(double coordinate) {
-        return (long) Math.floor(Math.max(-MOST_CELLS, Math.min(MOST_CELLS, coordinate * perCell)));
+        double cells = coordinate * perCell;
+        return (long) Math.floor(Math.abs(cells) < MOST_CELLS ? cells : Math.copySign(MOST_CELLS, cells));
     }
 
     private int bucketOf(long column, long line) {
