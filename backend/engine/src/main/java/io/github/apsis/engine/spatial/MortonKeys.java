@@ -3,8 +3,8 @@ package io.github.apsis.engine.spatial;
 import java.util.Arrays;
 
 /**
- * The places of a share of all items on a Z-order curve (Morton 1966): the box of their centres, then a key of 32 bits for each,
- * and how often each digit occurs in them. Shares of one order do not depend on each other.
+ * The places of a share of all items on a Z-order curve (Morton 1966): the box of their centres, then a key for each, of 32 bits
+ * whose lower ones are 0, and how often each of its two digits occurs in them. Shares of one order do not depend on each other.
  */
 final class MortonKeys {
     private static final double SCALE = 65535; // 16 bits along each axis
@@ -13,7 +13,7 @@ final class MortonKeys {
     double lowY;
     double highX;
     double highY;
-    int[] histogram = new int[0]; // of all digits of a key, one behind the other
+    int[] histogram = new int[0]; // of the lower digit of a key, and of the higher behind it
 
     /** Finds the box around the centres of a run. */
     void findBox(Quadtree tree, int start, int stop) {
@@ -51,39 +51,36 @@ final class MortonKeys {
         return scale > 0 ? scale : 0; // side is beyond the numbers
     }
 
-    /** Gives keys to the items of a run, in the box of all, and counts their digits of so many bits. */
-    void giveKeys(Quadtree tree, MortonKeys all, int start, int stop, int bits, int digits) {
-        if (histogram.length < digits << bits) {
-            histogram = new int[digits << bits];
+    /** Gives keys of two digits to the items of a run, in the box of all, and counts these digits, which have so many bits. */
+    void giveKeys(Quadtree tree, MortonKeys all, int start, int stop, int bits) {
+        if (histogram.length < 2 << bits) {
+            histogram = new int[2 << bits];
         } else {
-            Arrays.fill(histogram, 0, digits << bits, 0);
+            Arrays.fill(histogram, 0, 2 << bits, 0);
         }
         double scale = all.scale();
         double left = all.lowX;
         double bottom = all.lowY;
         int[] keys = tree.key;
         int[] count = histogram;
-        int mask = (1 << bits) - 1;
+        int values = 1 << bits;
+        int shift = 32 - 2 * bits;
         for (int p = start; p < stop; p++) {
             int i = tree.item(p);
             int column = (int) ((tree.centreX(i) - left) * scale);
             int row = (int) ((tree.centreY(i) - bottom) * scale);
-            int key = spread(column) | spread(row) << 1;
-            keys[p] = key;
-            count[key & mask]++;
-            count[(1 << bits) + (key >>> bits & mask)]++;
-            count[(2 << bits) + (key >>> 2 * bits & mask)]++;
-            if (digits > 3) {
-                count[(3 << bits) + (key >>> 3 * bits)]++;
-            }
+            int key = (spread(column) | spread(row) << 1) >>> shift;
+            keys[p] = key << shift;
+            count[key & values - 1]++;
+            count[values + (key >>> bits)]++;
         }
     }
 
     /** Adds what another share has counted. */
-    void add(MortonKeys other, int values) {
+    void add(MortonKeys other, int bits) {
         int[] sum = histogram;
         int[] added = other.histogram;
-        for (int value = 0; value < values; value++) {
+        for (int value = 0; value < 2 << bits; value++) {
             sum[value] += added[value];
         }
     }

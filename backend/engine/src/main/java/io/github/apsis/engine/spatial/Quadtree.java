@@ -13,15 +13,15 @@ import java.util.Arrays;
  * subtree: a query is one loop without a stack, and the children of {@code node} are {@code node + 1}, {@code past(node + 1)}
  * and so on, as long as they are below {@code past(node)}. Linear to build, and nothing is allocated once warm.
  *
- * <p>A key has 16 levels. A run that is still too long there, such as a cluster seen from a body that has flown off, gets
- * keys anew within its own box; so depth follows the digits of a double and no outlier turns a query into a look at all.
+ * <p>A key has 8 levels, or 11 where many are sorted: two digits of the radix sort. A run that is still too long there, such as
+ * a cluster seen from a body that has flown off, gets keys anew within its own box; so depth follows the digits of a double and no
+ * outlier turns a query into a look at all. Keys of 16 levels would be sorted in twice the time, for leaves that need half of them.
  */
 public final class Quadtree {
     private static final int DEFAULT_LEAF_SIZE = 8;
-    private static final int LEVELS = 16; // two bits of the 32-bit Z-order key each
+    private static final int LEVELS = 16; // two bits of the 32-bit Z-order key each; the lower ones are 0
 
-    // Digits of the radix sort, in bits: three of 11 where many items are worth their histograms, and four of 8
-    // elsewhere.
+    // Digits of the radix sort, in bits: there are two, and a key has as many levels.
     private static final int NARROW = 8;
     private static final int WIDE = 11;
     private static final int MANY = 16_384; // with fewer, wide histograms are a hundredth of all memory or more
@@ -46,7 +46,6 @@ public final class Quadtree {
     private final Work boxing = this::findBoxOfShare;
     private final Work keying = this::giveKeysToShare;
     private int bits; // of a digit, in the sort of the moment
-    private int digits;
 
     private int nodes;
     private double[] nodeMinX = new double[16];
@@ -130,9 +129,7 @@ public final class Quadtree {
 
     /** Sorts a run along the Z-order curve within its own box; false when all its centres are one, or not to be told apart. */
     private boolean sort(int start, int stop) {
-        // An odd number of passes ends in the other array, which has all items only if all are sorted.
-        bits = stop - start < count || count < MANY ? NARROW : WIDE;
-        digits = (2 * LEVELS + bits - 1) / bits;
+        bits = stop - start < MANY ? NARROW : WIDE;
         boolean shared = stop - start == count && count >= MANY_FOR_A_TEAM && keys.length > 1;
         MortonKeys all = keys[0];
         if (shared) {
@@ -150,14 +147,13 @@ public final class Quadtree {
         if (shared) {
             team.share(keying, keys.length);
             for (int share = 1; share < keys.length; share++) {
-                all.add(keys[share], digits << bits);
+                all.add(keys[share], bits);
             }
         } else {
-            all.giveKeys(this, all, start, stop, bits, digits);
+            all.giveKeys(this, all, start, stop, bits);
         }
-        for (int digit = 0; digit < digits; digit++) {
-            sortByDigit(all.histogram, start, stop, digit);
-        }
+        sortByDigit(all.histogram, 0, start, stop, 2 * LEVELS - 2 * bits);
+        sortByDigit(all.histogram, 1 << bits, start, stop, 2 * LEVELS - bits);
         return true;
     }
 
@@ -166,7 +162,7 @@ public final class Quadtree {
     }
 
     private void giveKeysToShare(int share, int member) {
-        keys[share].giveKeys(this, keys[0], beginningOf(share), beginningOf(share + 1), bits, digits);
+        keys[share].giveKeys(this, keys[0], beginningOf(share), beginningOf(share + 1), bits);
     }
 
     private int beginningOf(int share) {
@@ -181,16 +177,20 @@ public final class Quadtree {
         return 0.5 * minY[item] + 0.5 * maxY[item];
     }
 
-    /** One pass of a radix sort; stable, so equal keys stay in the order they had. */
-    private void sortByDigit(int[] histogram, int start, int stop, int digit) {
-        int from = digit << bits;
+    /**
+     * One pass of a radix sort, an even number of which ends in the arrays where it began; stable, so equal keys stay in the order
+     * they had.
+     *
+     * @param from where the digit begins in the histogram
+     * @param shift where it begins in the key
+     */
+    private void sortByDigit(int[] histogram, int from, int start, int stop, int shift) {
         int place = start;
         for (int value = from; value < from + (1 << bits); value++) {
             int equal = histogram[value];
             histogram[value] = place;
             place += equal;
         }
-        int shift = digit * bits;
         int mask = (1 << bits) - 1;
         for (int p = start; p < stop; p++) {
             int at = histogram[from + (key[p] >>> shift & mask)]++;
