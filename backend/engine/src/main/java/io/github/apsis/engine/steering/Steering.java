@@ -72,7 +72,7 @@ public final class Steering {
             Workspace workspace) {
         this.team = team;
         looksAround = spec.avoidance() == SteeringSpec.Avoidance.PLANNED;
-        neighbours = new Neighbours(workspace);
+        neighbours = new Neighbours(team, workspace);
         helms = new Helm[team.size()];
         for (int k = 0; k < helms.length; k++) {
             helms[k] = new Helm(spec, neighbours, courses, gravity, wander, walls, period);

@@ -6,6 +6,7 @@ import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.ShipLimits;
 import io.github.apsis.engine.math.Rng;
+import io.github.apsis.engine.parallel.Team;
 import io.github.apsis.engine.spatial.Workspace;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -33,7 +34,7 @@ class NearestTest {
     })
     void cells_find_whom_asking_everybody_finds(int count, double halfWidth, int large) {
         Bodies bodies = strewn(count, halfWidth, large);
-        var neighbours = new Neighbours(new Workspace());
+        var neighbours = new Neighbours(Team.ofOne(), new Workspace());
         neighbours.sort(bodies, RANGE + 8);
         var nearest = new Nearest(GRAVITY, null);
         for (int ship = 0; ship < SHIPS; ship++) {

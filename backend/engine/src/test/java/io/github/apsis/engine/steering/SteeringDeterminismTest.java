@@ -63,7 +63,7 @@ class SteeringDeterminismTest {
         Bodies forwards = crowd();
         Bodies backwards = crowd();
         var steering = steering();
-        var neighbours = new Neighbours(new Workspace());
+        var neighbours = new Neighbours(Team.ofOne(), new Workspace());
         var courses = new Courses();
         Helm[] helms = {helm(neighbours, courses), helm(neighbours, courses), helm(neighbours, courses)};
 
