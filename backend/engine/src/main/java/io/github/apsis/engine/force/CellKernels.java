@@ -29,7 +29,6 @@ final class CellKernels {
 
     private final double softeningSquared; // length²
     private final double[] derivative = new double[LOCALS];
-    private final double[] power = new double[MOMENTS]; // X^a Y^b / (a! b!)
     private double[] moment = new double[0];
 
     CellKernels(double softening) {
@@ -42,29 +41,43 @@ final class CellKernels {
     }
 
     /** Adds a body at this place relative to the centre of the cell. */
-    void addBody(int cell, double mass, double x, double y) {
-        computePowers(x, y);
-        for (int k = 0, at = cell * MOMENTS; k < MOMENTS; k++, at++) {
-            moment[at] = fma(mass, power[k], moment[at]);
-        }
+    void addBody(int cell, double m, double x, double y) {
+        double mx = m * x;
+        double mx2 = mx * x * (1.0 / 2);
+        double mx3 = mx2 * x * (1.0 / 3);
+        double mx4 = mx3 * x * (1.0 / 4);
+        double mx5 = mx4 * x * (1.0 / 5);
+        double y2 = y * y * (1.0 / 2);
+        double y3 = y2 * y * (1.0 / 3);
+        double y4 = y3 * y * (1.0 / 4);
+        double y5 = y4 * y * (1.0 / 5);
+        int at = cell * MOMENTS;
+        moment[at] += m;
+        moment[at + 1] += mx;
+        moment[at + 2] = fma(m, y, moment[at + 2]);
+        moment[at + 3] += mx2;
+        moment[at + 4] = fma(mx, y, moment[at + 4]);
+        moment[at + 5] = fma(m, y2, moment[at + 5]);
+        moment[at + 6] += mx3;
+        moment[at + 7] = fma(mx2, y, moment[at + 7]);
+        moment[at + 8] = fma(mx, y2, moment[at + 8]);
+        moment[at + 9] = fma(m, y3, moment[at + 9]);
+        moment[at + 10] += mx4;
+        moment[at + 11] = fma(mx3, y, moment[at + 11]);
+        moment[at + 12] = fma(mx2, y2, moment[at + 12]);
+        moment[at + 13] = fma(mx, y3, moment[at + 13]);
+        moment[at + 14] = fma(m, y4, moment[at + 14]);
+        moment[at + 15] += mx5;
+        moment[at + 16] = fma(mx4, y, moment[at + 16]);
+        moment[at + 17] = fma(mx3, y2, moment[at + 17]);
+        moment[at + 18] = fma(mx2, y3, moment[at + 18]);
+        moment[at + 19] = fma(mx, y4, moment[at + 19]);
+        moment[at + 20] = fma(m, y5, moment[at + 20]);
     }
 
     /** Adds the moments of a child, whose centre lies here relative to that of the parent. */
     void addChild(int parent, int child, double x, double y) {
-        computePowers(x, y);
-        int from = child * MOMENTS;
-        int to = parent * MOMENTS;
-        for (int n = 0; n < ORDER; n++) {
-            for (int b = 0; b <= n; b++, to++) {
-                double sum = 0;
-                for (int m = 0; m <= n; m++) { // M_(m−j)j of the child belongs to X^(n−m−(b−j)) Y^(b−j)
-                    for (int j = Math.max(0, b - n + m); j <= Math.min(m, b); j++) {
-                        sum = fma(moment[from + row(m) + j], power[row(n - m) + b - j], sum);
-                    }
-                }
-                moment[to] += sum;
-            }
-        }
+        Shifts.addMoments(moment, child * MOMENTS, parent * MOMENTS, x, y);
     }
 
     /** Lets the cell of a row of locals be pulled by another; (x, y) leads from the centre of the source to its own. */
@@ -75,72 +88,11 @@ final class CellKernels {
 
     /** Hands the pull on a parent down to the row of a child, whose centre lies here relative to that of the parent. */
     void passDown(double[] local, int parent, int child, double x, double y) {
-        computePowers(x, y);
-        int from = parent * LOCALS;
-        int to = child * LOCALS + 1;
-        for (int n = 1; n <= ORDER; n++) {
-            for (int l = 0; l <= n; l++, to++) {
-                double sum = 0;
-                for (int m = 0; m <= ORDER - n; m++) {
-                    int at = from + row(n + m) + l;
-                    for (int j = 0, k = row(m); j <= m; j++) {
-                        sum = fma(local[at + j], power[k + j], sum);
-                    }
-                }
-                local[to] += sum;
-            }
-        }
-    }
-
-    /** Where the coefficients of an order begin. */
-    private static int row(int order) {
-        return order * (order + 1) / 2;
+        Shifts.addLocals(local, parent * LOCALS, child * LOCALS, x, y);
     }
 
     /** Lets all that pulls a cell from afar pull a body at this place relative to its centre. */
     void passToBody(double[] local, int cell, Pulls pulls, int body, double x, double y) {
-        computePowers(x, y);
-        int at = cell * LOCALS;
-        double ax = local[at + 1]
-                + (local[at + 3] * power[1] + local[at + 4] * power[2])
-                + (local[at + 6] * power[3] + local[at + 7] * power[4] + local[at + 8] * power[5])
-                + (local[at + 10] * power[6]
-                        + local[at + 11] * power[7]
-                        + local[at + 12] * power[8]
-                        + local[at + 13] * power[9])
-                + (local[at + 15] * power[10]
-                        + local[at + 16] * power[11]
-                        + local[at + 17] * power[12]
-                        + local[at + 18] * power[13]
-                        + local[at + 19] * power[14])
-                + (local[at + 21] * power[15]
-                        + local[at + 22] * power[16]
-                        + local[at + 23] * power[17]
-                        + local[at + 24] * power[18]
-                        + local[at + 25] * power[19]
-                        + local[at + 26] * power[20]);
-        double ay = local[at + 2]
-                + (local[at + 4] * power[1] + local[at + 5] * power[2])
-                + (local[at + 7] * power[3] + local[at + 8] * power[4] + local[at + 9] * power[5])
-                + (local[at + 11] * power[6]
-                        + local[at + 12] * power[7]
-                        + local[at + 13] * power[8]
-                        + local[at + 14] * power[9])
-                + (local[at + 16] * power[10]
-                        + local[at + 17] * power[11]
-                        + local[at + 18] * power[12]
-                        + local[at + 19] * power[13]
-                        + local[at + 20] * power[14])
-                + (local[at + 22] * power[15]
-                        + local[at + 23] * power[16]
-                        + local[at + 24] * power[17]
-                        + local[at + 25] * power[18]
-                        + local[at + 26] * power[19]
-                        + local[at + 27] * power[20]);
-        pulls.add(body, ax, ay);
-    }
-
-    private void computePowers(double x, double y) {
         double x2 = x * x * (1.0 / 2);
         double x3 = x2 * x * (1.0 / 3);
         double x4 = x3 * x * (1.0 / 4);
@@ -149,27 +101,31 @@ final class CellKernels {
         double y3 = y2 * y * (1.0 / 3);
         double y4 = y3 * y * (1.0 / 4);
         double y5 = y4 * y * (1.0 / 5);
-        power[0] = 1;
-        power[1] = x;
-        power[2] = y;
-        power[3] = x2;
-        power[4] = x * y;
-        power[5] = y2;
-        power[6] = x3;
-        power[7] = x2 * y;
-        power[8] = x * y2;
-        power[9] = y3;
-        power[10] = x4;
-        power[11] = x3 * y;
-        power[12] = x2 * y2;
-        power[13] = x * y3;
-        power[14] = y4;
-        power[15] = x5;
-        power[16] = x4 * y;
-        power[17] = x3 * y2;
-        power[18] = x2 * y3;
-        power[19] = x * y4;
-        power[20] = y5;
+        int at = cell * LOCALS;
+        double ax0 = local[at + 1]
+                + fma(y, local[at + 4], y2 * local[at + 8])
+                + fma(y3, local[at + 13], fma(y4, local[at + 19], y5 * local[at + 26]));
+        double ax1 = local[at + 3]
+                + fma(y, local[at + 7], y2 * local[at + 12])
+                + fma(y3, local[at + 18], y4 * local[at + 25]);
+        double ax2 = local[at + 6] + fma(y, local[at + 11], fma(y2, local[at + 17], y3 * local[at + 24]));
+        double ax3 = local[at + 10] + fma(y, local[at + 16], y2 * local[at + 23]);
+        double ax4 = fma(y, local[at + 22], local[at + 15]);
+        double ax5 = local[at + 21];
+        double ay0 = local[at + 2]
+                + fma(y, local[at + 5], y2 * local[at + 9])
+                + fma(y3, local[at + 14], fma(y4, local[at + 20], y5 * local[at + 27]));
+        double ay1 = local[at + 4]
+                + fma(y, local[at + 8], y2 * local[at + 13])
+                + fma(y3, local[at + 19], y4 * local[at + 26]);
+        double ay2 = local[at + 7] + fma(y, local[at + 12], fma(y2, local[at + 18], y3 * local[at + 25]));
+        double ay3 = local[at + 11] + fma(y, local[at + 17], y2 * local[at + 24]);
+        double ay4 = fma(y, local[at + 23], local[at + 16]);
+        double ay5 = local[at + 22];
+        pulls.add(
+                body,
+                fma(x5, ax5, fma(x4, ax4, fma(x3, ax3, fma(x2, ax2, fma(x, ax1, ax0))))),
+                fma(x5, ay5, fma(x4, ay4, fma(x3, ay3, fma(x2, ay2, fma(x, ay1, ay0))))));
     }
 
     /**

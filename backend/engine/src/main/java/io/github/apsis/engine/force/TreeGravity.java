@@ -20,10 +20,10 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>The mutual walk of Dehnen 2002 (J. Comput. Phys. 179, 27) with the expansions of {@link CellKernels}, each end worked out
  * for itself ({@link CellWalk}). Both ends of every interaction are served alike, so momentum is conserved to rounding; θ → 0
- * gives the direct sum. On a disc of 10 000 bodies θ = 0.9 errs by 3e-3 in the median and takes 3 ms, θ = 0.5 by 5e-5 in 6.6 ms;
- * the direct sum takes 41 ms, and a million bodies at θ = 0.9 take 350.
+ * gives the direct sum. On a disc of 10 000 bodies θ = 0.9 errs by 4e-3 in the median and takes 3.5 ms of a slow core, θ = 0.5 by
+ * 7e-5 in 8 ms; the direct sum takes 84 ms there.
  *
- * <p>A quarter of the time at θ = 0.9 goes into expansions of cells, and more than a third into pairs of bodies. 128 pairs of
+ * <p>Half of the time of a belt of 10 000 at θ = 0.9 goes into pairs of bodies, and a fifth into pairs of cells. 128 pairs of
  * cells side by side, in loops that C2 makes vector code of, took as long as one after the other: 60 ns each.
  *
  * <p>Other rules of opening bought nothing, measured at order 5: θ growing with falling mass (Dehnen's) has the same error in
@@ -36,9 +36,9 @@ public final class TreeGravity implements ForceLaw {
     private static final int MANY = 1000;
 
     // In pairs of the direct sum, each worked out once from either end: measured on the reference discs.
-    private static final double WORK_OF_BODY = 145;
-    private static final double WORK_OF_CELLS = 125;
-    private static final double WORK_OF_PAIR = 2.2;
+    private static final double WORK_OF_BODY = 90;
+    private static final double WORK_OF_CELLS = 105;
+    private static final double WORK_OF_PAIR = 2.3;
 
     private double theta;
     private final DirectGravity exact;
