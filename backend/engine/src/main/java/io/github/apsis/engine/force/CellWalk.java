@@ -26,6 +26,9 @@ final class CellWalk {
     /** Ordered pairs of bodies in two leaves that take no longer than their expansions. */
     private static final int FEW_PAIRS = 64;
 
+    /** Sources of a giant that are copied before they pull it: as few as a leaf may have. */
+    private static final int AT_ONCE = 512;
+
     private final MassTree masses;
     private final Quadtree tree;
     private final CellKernels kernels;
@@ -201,14 +204,33 @@ final class CellWalk {
         pulls.begin(start, stop);
         pullNear(leaf);
         passToBodies(leaf, level);
-        giants.pull(masses.masses(), tree, start, stop, pulls);
+        for (int k = start; k < stop; k++) {
+            if (giants.contain(tree.item(k))) {
+                pullGiant(k);
+            }
+        }
         for (int k = start; to != null && k < stop; k++) {
             to.accelerate(tree.item(k), g * pulls.x(k), g * pulls.y(k));
         }
     }
 
+    /** Lets all bodies pull one of the giants, which cells do not. */
+    private void pullGiant(int k) {
+        pulls.clear(k);
+        int count = masses.masses().count();
+        for (int from = 0; from < count; from += AT_ONCE) {
+            near.clear();
+            near.add(masses.masses(), from, Math.min(count, from + AT_ONCE));
+            pullByNear(k, k + 1);
+        }
+        near.clear();
+        giants.addTo(near);
+        pullByNear(k, k + 1);
+    }
+
     private void pullNear(int leaf) {
         near.clear();
+        giants.addTo(near);
         int k = 0;
         while (k < nearLeaves) {
             int start = tree.first(nearLeaf[k]);
@@ -218,10 +240,14 @@ final class CellWalk {
             }
             near.add(masses.masses(), start, stop);
         }
+        pullByNear(tree.first(leaf), tree.end(leaf));
+    }
+
+    private void pullByNear(int start, int stop) {
         if (masses.isOrdinary()) {
-            near.pull(masses.masses(), tree.first(leaf), tree.end(leaf), pulls);
+            near.pull(masses.masses(), start, stop, pulls);
         } else {
-            near.pullWithCare(masses.masses(), tree.first(leaf), tree.end(leaf), pulls);
+            near.pullWithCare(masses.masses(), start, stop, pulls);
         }
     }
 

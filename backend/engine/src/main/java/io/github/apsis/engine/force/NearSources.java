@@ -54,6 +54,16 @@ final class NearSources {
         count += length;
     }
 
+    /** Adds a mass behind the others. */
+    void add(double atX, double atY, double m) {
+        if (count == x.length) {
+            grow(2 * count + 16);
+        }
+        x[count] = atX;
+        y[count] = atY;
+        mass[count++] = m;
+    }
+
     private void grow(int capacity) {
         x = Arrays.copyOf(x, capacity);
         y = Arrays.copyOf(y, capacity);

@@ -32,9 +32,10 @@ final class Pulls {
         }
     }
 
-    void set(int mass, double pullX, double pullY) {
-        x[mass - start] = pullX;
-        y[mass - start] = pullY;
+    /** Nothing pulls one of the masses. */
+    void clear(int mass) {
+        x[mass - start] = 0;
+        y[mass - start] = 0;
     }
 
     double x(int mass) {

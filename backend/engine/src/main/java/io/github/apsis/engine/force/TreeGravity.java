@@ -71,7 +71,7 @@ public final class TreeGravity implements ForceLaw {
         this.exact = new DirectGravity(g, softening);
         var kernels = new CellKernels[team.size()];
         Arrays.setAll(kernels, member -> new CellKernels(softening));
-        var giants = new Giants(softening);
+        var giants = new Giants();
         this.masses = new MassTree(kernels, giants, team, workspace);
         this.trunk = new CellWalk(masses, kernels[0], giants, g, softening);
         this.walks = new CellWalk[team.size()];
