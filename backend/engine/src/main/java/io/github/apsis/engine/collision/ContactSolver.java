@@ -25,7 +25,7 @@ public final class ContactSolver {
     private final Touching touching = new Touching();
     private final Impacts impacts;
     private final Supplier<RestingContacts> restingContacts;
-    private RestingContacts resting;
+    private @Nullable RestingContacts resting; // once there are any
     private final @Nullable WallStop stop;
     private final HeldBodies held = new HeldBodies();
     private final LyingHeaps lying = new LyingHeaps(paths, touching);
@@ -58,7 +58,6 @@ public final class ContactSolver {
                 mode,
                 workspace);
         restingContacts = () -> new RestingContacts(touching, approach, walls, period);
-        resting = restingContacts.get();
         standstill = new Standstill(paths, touching, held, lying, workspace);
         stop = walls == null ? null : new WallStop(walls);
     }
@@ -97,25 +96,32 @@ public final class ContactSolver {
             return; // another heap is being solved
         }
         if (lying.ticks() == 1) {
-            resting.forgetHeap();
+            resting().forgetHeap();
         } else if (lying.ticks() == LONG) {
-            resting = restingContacts.get();
+            resting = null;
             touching.shrink();
         }
+    }
+
+    private RestingContacts resting() {
+        if (resting == null) {
+            resting = restingContacts.get();
+        }
+        return resting;
     }
 
     private void hold(Bodies bodies) {
         held.note(bodies, touching);
         int before = touching.size();
-        resting.hold(bodies, paths.dt());
+        resting().hold(bodies, paths.dt());
         heldOnce = true;
         for (int time = 1; time < MOST_HOLDS && impacts.findIntruders(bodies, held); time++) {
             heldOnce = false;
             held.note(bodies, touching);
-            resting.holdAgain(bodies, paths.dt(), before);
+            resting().holdAgain(bodies, paths.dt(), before);
             before = touching.size();
         }
-        resting.part(bodies, paths.dt());
+        resting().part(bodies, paths.dt());
     }
 
     /** Leaves no pair at rest closing, when positions and velocities belong to the same time. */
@@ -125,8 +131,8 @@ public final class ContactSolver {
             forgetHeaps();
         }
         if (touching.size() > 0) {
-            resting.settle(bodies);
-            if (resting.mayCreep()) {
+            resting().settle(bodies);
+            if (resting().mayCreep()) {
                 standstill.stop(bodies, heldOnce);
             }
         }

@@ -15,7 +15,7 @@ final class PairList {
     private int size;
     private long[] pair = new long[16]; // first, second
     private long[] spare = new long[16];
-    private final int[] end = new int[MASK + 1];
+    private int[] end = new int[0]; // by digit, once many have been sorted
 
     /** Forgets all pairs; the next are of so many bodies. */
     void clear(int count) {
@@ -39,6 +39,9 @@ final class PairList {
         if (size <= FEW) {
             sortFew();
         } else {
+            if (end.length == 0) {
+                end = new int[MASK + 1];
+            }
             for (int shift = 0; shift < 2 * bits; shift += DIGIT) {
                 sortByDigit(shift);
             }

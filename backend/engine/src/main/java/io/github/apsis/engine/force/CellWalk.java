@@ -37,10 +37,10 @@ final class CellWalk {
     private final double g; // length³ / (mass · time²)
     private final Pulls pulls = new Pulls();
 
-    private double[] local = new double[16 * LOCALS]; // by level
+    private double[] local = new double[8 * LOCALS]; // by level
     private double[] boughLocal = new double[0];
     private @Nullable Pulled to;
-    private int[] left = new int[1024]; // sources left to children, level behind level
+    private int[] left = new int[128]; // sources left to children, level behind level
     private int filled;
     private int[] nearLeaf = new int[64]; // ascending
     private int nearLeaves;

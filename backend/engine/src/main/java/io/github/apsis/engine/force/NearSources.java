@@ -46,7 +46,7 @@ final class NearSources {
     void add(PointMasses masses, int start, int stop) {
         int length = stop - start;
         if (count + length > x.length) {
-            grow(2 * (count + length));
+            grow(count + length + length / 2);
         }
         System.arraycopy(masses.x, start, x, count, length);
         System.arraycopy(masses.y, start, y, count, length);

@@ -20,8 +20,8 @@ import org.jspecify.annotations.Nullable;
  * where radii go from 1 to 100 with a density falling as r⁻³. Nothing is allocated once warm.
  */
 public final class CircleGrid {
-    private static final int LEVELS = 128;
-    private static final int MIDDLE = 80; // the level of most circles
+    private static final int LEVELS = 64;
+    private static final int MIDDLE = 40; // the level of most circles
     private static final int TOP = LEVELS - 1; // one cell, for all that is larger
 
     /** Cells are so much wider than most circles: some grow when paths are bent. */
@@ -40,6 +40,7 @@ public final class CircleGrid {
     private static final double LARGEST = 0x1p900;
 
     private static final int SAMPLE = 64; // circles that tell the size of most
+    private static final int KINDS = 256; // of sizes, by their exponents; what differs by 2^256 counts as alike
     private static final double MUCH_LARGER = 8; // times what is usual
     private static final double CELLS = 2.5; // for each circle, or up to twice as many
     private static final int FEWEST_COLUMNS = 4; // on a torus of two, a cell is its own neighbour's neighbour
@@ -59,7 +60,7 @@ public final class CircleGrid {
     private double[] reach = new double[0];
     private int[] place = new int[0]; // in the order of the cells; before it is known, level and cell
 
-    private final byte[] sampled = new byte[2048]; // by exponent; there are no more than 127
+    private final byte[] sampled = new byte[KINDS]; // by the lower bits of exponents; there are no more than 127
     final int[] size = new int[LEVELS]; // circles of each level
     final int[] used = new int[LEVELS]; // the levels that have any, fine ones first
     int levels;
@@ -195,20 +196,24 @@ public final class CircleGrid {
     private double usualReach(int step) {
         int most = 0;
         for (int i = 0; i < count; i += step) {
-            int exponent = Math.getExponent(reach[i]) + 1023;
+            int kind = kindOf(reach[i]);
             if (reach[i] > 0) {
-                sampled[exponent]++;
-                most = sampled[exponent] > sampled[most] ? exponent : most;
+                sampled[kind]++;
+                most = sampled[kind] > sampled[most] ? kind : most;
             }
         }
         int alike = sampled[most];
         double sum = 0;
         for (int i = 0; i < count; i += step) {
-            int exponent = Math.getExponent(reach[i]) + 1023;
-            sum += exponent == most ? reach[i] : 0;
-            sampled[exponent] = 0;
+            int kind = kindOf(reach[i]);
+            sum += kind == most ? reach[i] : 0;
+            sampled[kind] = 0;
         }
         return alike == 0 ? 1 : sum / alike;
+    }
+
+    private static int kindOf(double size) {
+        return Math.getExponent(size) & KINDS - 1;
     }
 
     /** Where most are of one size all may be: then they are sorted while that is looked at. */

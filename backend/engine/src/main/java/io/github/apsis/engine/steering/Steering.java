@@ -6,6 +6,8 @@ import io.github.apsis.engine.math.Period;
 import io.github.apsis.engine.parallel.Team;
 import io.github.apsis.engine.parallel.Work;
 import io.github.apsis.engine.spatial.Workspace;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,7 +29,8 @@ public final class Steering {
     private final Courses courses = new Courses();
     private final Team alone = Team.ofOne();
     private final Team team;
-    private final Helm[] helms; // one for each of the team
+    private final Supplier<Helm> newHelm;
+    private Helm[] helms = new Helm[0]; // one for each of the team, once there are ships
     private final boolean looksAround;
     private final Work piece = this::steerPiece;
 
@@ -73,10 +76,7 @@ public final class Steering {
         this.team = team;
         looksAround = spec.avoidance() == SteeringSpec.Avoidance.PLANNED;
         neighbours = new Neighbours(team, workspace);
-        helms = new Helm[team.size()];
-        for (int k = 0; k < helms.length; k++) {
-            helms[k] = new Helm(spec, neighbours, courses, gravity, wander, walls, period);
-        }
+        newHelm = () -> new Helm(spec, neighbours, courses, gravity, wander, walls, period);
     }
 
     /** Sets the thrust of every ship; accelerations must belong to the present positions. */
@@ -87,6 +87,9 @@ public final class Steering {
         dt = timeStep;
         if (ships.length == 0) {
             return;
+        }
+        if (helms.length == 0) {
+            helms = Stream.generate(newHelm).limit(team.size()).toArray(Helm[]::new);
         }
         if (looksAround && isAnyDue()) {
             neighbours.sort(bodies, reach());
