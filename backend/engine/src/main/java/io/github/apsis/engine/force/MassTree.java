@@ -29,7 +29,7 @@ final class MassTree implements Work {
 
     private static final double ROUNDING = 1 + 1e-9;
 
-    private final CellKernels[] kernels; // by member of the team
+    private final CellKernels kernels;
     private final Giants giants;
     private final Workspace workspace;
     private final Quadtree tree;
@@ -48,7 +48,7 @@ final class MassTree implements Work {
     private boolean[] ordinaryBough = new boolean[64];
     private boolean ordinary; // no coordinate is so small that d³ underflows, or so large that d² overflows
 
-    MassTree(CellKernels[] kernels, Giants giants, Team team, Workspace workspace) {
+    MassTree(CellKernels kernels, Giants giants, Team team, Workspace workspace) {
         this.workspace = workspace;
         this.tree = Quadtree.ofPoints(LEAF_SIZE, team, workspace);
         this.masses = new PointMasses(workspace); // in the columns of the points, which the tree no longer needs then
@@ -81,7 +81,7 @@ final class MassTree implements Work {
             if (next >= 0 && cell < tree.past(bough[next]) && cell >= bough[next]) {
                 cell = bough[next--]; // done
             } else {
-                workOut(cell, kernels[0]);
+                workOut(cell);
             }
         }
     }
@@ -89,9 +89,7 @@ final class MassTree implements Work {
     private void makeRoom() {
         double[] moments = workspace.doubles(3, tree.nodes() * MOMENTS);
         Arrays.fill(moments, 0, tree.nodes() * MOMENTS, 0);
-        for (CellKernels kernel : kernels) {
-            kernel.use(moments);
-        }
+        kernels.use(moments);
         if (tree.nodes() > reach.length) {
             int capacity = tree.nodes() + tree.nodes() / 8;
             centreX = new double[capacity];
@@ -146,14 +144,14 @@ final class MassTree implements Work {
         }
         ordinaryBough[piece] = NearSources.areOrdinary(masses, tree.first(root), tree.end(root));
         for (int cell = tree.past(root) - 1; cell >= root; cell--) { // children stand behind their parent
-            workOut(cell, kernels[member]);
+            workOut(cell);
         }
     }
 
-    private void workOut(int cell, CellKernels kernel) {
+    private void workOut(int cell) {
         findCentre(cell);
         findReach(cell);
-        gather(cell, kernel);
+        gather(cell);
     }
 
     private void findCentre(int cell) {
@@ -239,17 +237,17 @@ final class MassTree implements Work {
         return dx * dx + dy * dy;
     }
 
-    private void gather(int cell, CellKernels kernel) {
+    private void gather(int cell) {
         if (!expands(cell)) {
             return;
         }
         if (tree.isLeaf(cell)) {
             for (int k = tree.first(cell); k < tree.end(cell); k++) {
-                kernel.addBody(cell, masses.mass[k], masses.x[k] - centreX[cell], masses.y[k] - centreY[cell]);
+                kernels.addBody(cell, masses.mass[k], masses.x[k] - centreX[cell], masses.y[k] - centreY[cell]);
             }
         } else {
             for (int child = cell + 1; child < tree.past(cell); child = tree.past(child)) {
-                kernel.addChild(cell, child, centreX[child] - centreX[cell], centreY[child] - centreY[cell]);
+                kernels.addChild(cell, child, centreX[child] - centreX[cell], centreY[child] - centreY[cell]);
             }
         }
     }

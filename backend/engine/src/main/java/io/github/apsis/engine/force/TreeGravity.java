@@ -69,13 +69,12 @@ public final class TreeGravity implements ForceLaw {
         this.theta = theta;
         this.team = team;
         this.exact = new DirectGravity(g, softening);
-        var kernels = new CellKernels[team.size()];
-        Arrays.setAll(kernels, member -> new CellKernels(softening));
+        var kernels = new CellKernels(softening);
         var giants = new Giants();
         this.masses = new MassTree(kernels, giants, team, workspace);
-        this.trunk = new CellWalk(masses, kernels[0], giants, g, softening);
+        this.trunk = new CellWalk(masses, kernels, giants, g, softening);
         this.walks = new CellWalk[team.size()];
-        Arrays.setAll(walks, member -> new CellWalk(masses, kernels[member], giants, g, softening));
+        Arrays.setAll(walks, member -> new CellWalk(masses, kernels, giants, g, softening));
     }
 
     /** The opening angle. */
