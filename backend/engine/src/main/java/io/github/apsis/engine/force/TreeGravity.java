@@ -20,8 +20,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>The mutual walk of Dehnen 2002 (J. Comput. Phys. 179, 27) with the expansions of {@link CellKernels}, each end worked out
  * for itself ({@link CellWalk}). Both ends of every interaction are served alike, so momentum is conserved to rounding; θ → 0
- * gives the direct sum. On a disc of 10 000 bodies θ = 0.9 errs by 4e-3 in the median and takes 3.5 ms of a slow core, θ = 0.5 by
- * 7e-5 in 8 ms; the direct sum takes 84 ms there.
+ * gives the direct sum. On a disc of 10 000 bodies θ = 0.9 errs by 4e-3 in the median and takes 3.2 ms of a slow core, θ = 0.5 by
+ * 7e-5 in 7.7 ms; the direct sum takes 84 ms there.
  *
  * <p>Half of the time of a belt of 10 000 at θ = 0.9 goes into pairs of bodies, and a fifth into pairs of cells. 128 pairs of
  * cells side by side, in loops that C2 makes vector code of, took as long as one after the other: 60 ns each.
