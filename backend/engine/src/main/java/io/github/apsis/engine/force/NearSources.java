@@ -46,7 +46,8 @@ final class NearSources {
     void add(PointMasses masses, int start, int stop) {
         int length = stop - start;
         if (count + length > x.length) {
-            grow(count + length + length / 2);
+            int needed = count + length;
+            grow(needed + needed / 4);
         }
         System.arraycopy(masses.x, start, x, count, length);
         System.arraycopy(masses.y, start, y, count, length);

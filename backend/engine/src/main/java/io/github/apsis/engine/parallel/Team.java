@@ -49,6 +49,11 @@ public final class Team implements AutoCloseable {
         return new Team(1);
     }
 
+    /** Where a share of a count of items begins that has even shares; the last ends where one more would begin. */
+    public static int beginning(int share, int shares, int count) {
+        return (int) ((long) count * share / shares);
+    }
+
     /** How many do the work, the caller among them. */
     public int size() {
         return members.length + 1;

@@ -1,6 +1,7 @@
 package io.github.apsis.engine.spatial;
 
 import io.github.apsis.engine.math.Period;
+import io.github.apsis.engine.parallel.Team;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
@@ -152,7 +153,7 @@ final class CellSearch {
 
     /** Where a share of the circles of a level begins. */
     private int place(int l, int share, int shares) {
-        return grid.start[grid.firstCell[l]] + (int) ((long) grid.size[l] * share / shares);
+        return grid.start[grid.firstCell[l]] + Team.beginning(share, shares, grid.size[l]);
     }
 
     private void gatherAtSeam(int p, int column, int across, int here, int next) {

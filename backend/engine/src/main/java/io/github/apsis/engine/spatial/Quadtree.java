@@ -166,7 +166,7 @@ public final class Quadtree {
     }
 
     private int beginningOf(int share) {
-        return (int) ((long) count * share / keys.length);
+        return Team.beginning(share, keys.length, count);
     }
 
     double centreX(int item) {

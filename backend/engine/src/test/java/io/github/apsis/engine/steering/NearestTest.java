@@ -11,6 +11,7 @@ import io.github.apsis.engine.spatial.Workspace;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -24,17 +25,25 @@ class NearestTest {
     private static final double STAR = 4e6; // a ship could hardly leave it from within 37
     private static final int SHIPS = 40;
 
+    private final Team team = new Team(2);
+
+    @AfterEach
+    void endTheTeam() {
+        team.close();
+    }
+
     @ParameterizedTest
     @CsvSource({
         "250, 400, 0", // coarse cells
         "3000, 400, 0", // fine ones, in a crowd
         "3000, 2000, 0", // where there are fewer than 24 within reach
         "3000, 1000, 20", // large bodies beside the fine cells
-        "3000, 2000, 300" // too many of them
+        "3000, 2000, 300", // too many of them
+        "5000, 1000, 20" // sorted by a team
     })
     void cells_find_whom_asking_everybody_finds(int count, double halfWidth, int large) {
         Bodies bodies = strewn(count, halfWidth, large);
-        var neighbours = new Neighbours(Team.ofOne(), new Workspace());
+        var neighbours = new Neighbours(team, new Workspace());
         neighbours.sort(bodies, RANGE + 8);
         var nearest = new Nearest(GRAVITY, null);
         for (int ship = 0; ship < SHIPS; ship++) {
