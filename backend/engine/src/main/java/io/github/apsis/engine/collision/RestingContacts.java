@@ -23,11 +23,14 @@ final class RestingContacts {
     /** What they do not find, the next tick does, which goes on from there: so a large heap is solved over several ticks. */
     private static final int MOST_ROUNDS = 200;
 
-    /** A heap that moves asks for other impulses in every tick, and more rounds for them buy little: so many, */
+    /**
+     * A large heap that moves asks for other impulses in every tick. After so many rounds a contact misses a fifth of the most that
+     * one lacks, and twice as many or a second look leave it hardly less deep: so many,
+     */
     private static final int FEWEST_ROUNDS = 50;
 
     /** or one for so many contacts, since a push goes through a deep heap contact by contact. */
-    private static final int CONTACTS_PER_ROUND = 50;
+    private static final int CONTACTS_PER_ROUND = 100;
 
     /** Without rounding conjugate gradients would need one round for each contact that pushes, and as many for each that changes. */
     private static final int ROUNDS_PER_CONTACT = 20;
@@ -84,6 +87,7 @@ final class RestingContacts {
         if (touching.size() == 0) {
             return;
         }
+        isQuiet = isQuiet(bodies, dt);
         solver.begin(touching.size(), bodies);
         for (int k = 0; k < touching.size(); k++) {
             straighten(bodies, k, dt);
@@ -134,9 +138,9 @@ final class RestingContacts {
     private void holdAll(Bodies bodies, double dt) {
         pushes.begin();
         pushes.pushHolding(bodies, dt);
-        isQuiet = isQuiet(bodies, dt);
+        int looks = isSolvedInPart(touching.size()) ? 1 : LOOKS;
         boolean changed = true;
-        for (int look = 0; look < LOOKS && changed; look++) {
+        for (int look = 0; look < looks && changed; look++) {
             double rounding = measureGaps(bodies, dt);
             int rounds = solve(holding, bodies, rounding);
             changed = rounds > 0;
@@ -225,17 +229,41 @@ final class RestingContacts {
         for (int k = 0; k < touching.size(); k++) {
             int a = touching.first(k);
             int b = touching.second(k);
-            moving += moving(bodies, a, b);
+            moving += movingAtStart(bodies, a, b, dt);
             falling += Paths.acceleration(bodies, a, b) * dt;
         }
         return moving <= QUIET * falling;
     }
 
-    private int mostRounds(int contacts) {
-        if (isQuiet || contacts < ImpulseSolver.MANY) {
-            return Math.min(ROUNDS_PER_CONTACT * contacts, MOST_ROUNDS);
+    /** How fast two partners moved past each other at the start of the tick, before forces drew anyone into a wall. */
+    private static double movingAtStart(Bodies bodies, int a, int b, double dt) {
+        double wx = -startVx(bodies, a, dt);
+        double wy = -startVy(bodies, a, dt);
+        if (b >= 0) {
+            wx += startVx(bodies, b, dt);
+            wy += startVy(bodies, b, dt);
         }
-        return Math.max(FEWEST_ROUNDS, Math.min(contacts / CONTACTS_PER_ROUND, MOST_ROUNDS));
+        return Math.abs(wx) + Math.abs(wy);
+    }
+
+    private static double startVx(Bodies bodies, int i, double dt) {
+        return bodies.vx(i) - 0.5 * dt * Paths.accelerationX(bodies, i);
+    }
+
+    private static double startVy(Bodies bodies, int i, double dt) {
+        return bodies.vy(i) - 0.5 * dt * Paths.accelerationY(bodies, i);
+    }
+
+    private int mostRounds(int contacts) {
+        int rounds = isSolvedInPart(contacts)
+                ? Math.max(FEWEST_ROUNDS, contacts / CONTACTS_PER_ROUND)
+                : ROUNDS_PER_CONTACT * contacts;
+        return Math.min(rounds, MOST_ROUNDS);
+    }
+
+    /** Whether the heap is a large one that moves. */
+    private boolean isSolvedInPart(int contacts) {
+        return !isQuiet && contacts >= ImpulseSolver.MANY;
     }
 
     /** Measures how much each pair ends too deep; the speed that need not be found is returned. */
