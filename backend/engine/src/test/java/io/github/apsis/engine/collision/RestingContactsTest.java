@@ -75,6 +75,28 @@ class RestingContactsTest {
         }
     }
 
+    /** Most of its contacts are with walls, into which the forces of a tick draw it: that is no sign that it moves. */
+    @Test
+    void a_column_of_two_hundred_and_fifty_between_two_walls_stays_at_rest_from_its_first_tick() {
+        World world = new World(WorldSpec.builder()
+                .law(new UniformField(0, -10 * FIELD))
+                .contacts(0.2)
+                .walls(new Aabb(0, 0, 2, 1000), 0.2)
+                .build());
+        for (int i = 0; i < 250; i++) {
+            world.add(BodyDef.asteroid(1, 1 + 2 * i, 1, 1));
+        }
+
+        run(world, 150);
+
+        WorldSnapshot now = world.snapshot();
+        for (int i = 0; i < 250; i++) {
+            // Impulses are right to nine digits, so what is left of 100 in a second is 1e-7.
+            assertThat(now.y(i)).isCloseTo(1 + 2 * i, within(1e-7));
+            assertThat(now.vy(i)).isCloseTo(0, within(1e-7));
+        }
+    }
+
     @Test
     void two_planets_that_pull_each_other_lie_together_without_trembling() {
         World world = new World(WorldSpec.builder().gravity(1).contacts(0.8).build());
