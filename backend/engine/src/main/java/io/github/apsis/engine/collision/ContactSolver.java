@@ -57,7 +57,7 @@ public final class ContactSolver {
                 lying,
                 mode,
                 workspace);
-        restingContacts = () -> new RestingContacts(touching, approach, walls, period);
+        restingContacts = () -> new RestingContacts(paths, touching, approach, walls, period);
         standstill = new Standstill(paths, touching, held, lying, workspace);
         stop = walls == null ? null : new WallStop(walls);
     }

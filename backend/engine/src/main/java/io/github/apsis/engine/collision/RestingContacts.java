@@ -58,6 +58,7 @@ final class RestingContacts {
     /** Eight units in the last place of a number. */
     private static final double ROUNDING = 0x1p-49;
 
+    private final Paths paths;
     private final Touching touching;
     private final ContactGeometry contact;
     private final Approach approach;
@@ -74,7 +75,9 @@ final class RestingContacts {
     private double[] settledX = new double[16]; // their unit normals
     private double[] settledY = new double[16];
 
-    RestingContacts(Touching touching, Approach approach, @Nullable WallSet walls, @Nullable Period period) {
+    RestingContacts(
+            Paths paths, Touching touching, Approach approach, @Nullable WallSet walls, @Nullable Period period) {
+        this.paths = paths;
         this.touching = touching;
         this.approach = approach;
         this.contact = new ContactGeometry(walls, period);
@@ -229,29 +232,17 @@ final class RestingContacts {
         for (int k = 0; k < touching.size(); k++) {
             int a = touching.first(k);
             int b = touching.second(k);
-            moving += movingAtStart(bodies, a, b, dt);
+            moving += movingAtStart(bodies, a, b);
             falling += Paths.acceleration(bodies, a, b) * dt;
         }
         return moving <= QUIET * falling;
     }
 
     /** How fast two partners moved past each other at the start of the tick, before forces drew anyone into a wall. */
-    private static double movingAtStart(Bodies bodies, int a, int b, double dt) {
-        double wx = -startVx(bodies, a, dt);
-        double wy = -startVy(bodies, a, dt);
-        if (b >= 0) {
-            wx += startVx(bodies, b, dt);
-            wy += startVy(bodies, b, dt);
-        }
+    private double movingAtStart(Bodies bodies, int a, int b) {
+        double wx = (b < 0 ? 0 : paths.vxAt(bodies, b, 0)) - paths.vxAt(bodies, a, 0);
+        double wy = (b < 0 ? 0 : paths.vyAt(bodies, b, 0)) - paths.vyAt(bodies, a, 0);
         return Math.abs(wx) + Math.abs(wy);
-    }
-
-    private static double startVx(Bodies bodies, int i, double dt) {
-        return bodies.vx(i) - 0.5 * dt * Paths.accelerationX(bodies, i);
-    }
-
-    private static double startVy(Bodies bodies, int i, double dt) {
-        return bodies.vy(i) - 0.5 * dt * Paths.accelerationY(bodies, i);
     }
 
     private int mostRounds(int contacts) {
