@@ -15,8 +15,11 @@ import org.jspecify.annotations.Nullable;
  * {@link #settle} when it has finished.
  */
 public final class ContactSolver {
-    /** Bodies that are held off into others push those on: so far a push is followed in one tick. */
+    /** Bodies that are held off into others push those on: so far a push is followed in one tick, */
     private static final int MOST_HOLDS = 4;
+
+    /** and so far where it drives them deep into each other, as heavy ones do to light ones. */
+    private static final int MOST_HOLDS_OF_PRESSED = 16;
 
     /** After so many ticks in which heaps were left alone nobody keeps the memory for solving them: a second. */
     private static final int LONG = 150;
@@ -115,13 +118,17 @@ public final class ContactSolver {
         int before = touching.size();
         resting().hold(bodies, paths.dt());
         heldOnce = true;
-        for (int time = 1; time < MOST_HOLDS && impacts.findIntruders(bodies, held); time++) {
+        for (int time = 1; time < mostHolds() && impacts.findIntruders(bodies, held); time++) {
             heldOnce = false;
             held.note(bodies, touching);
             resting().holdAgain(bodies, paths.dt(), before);
             before = touching.size();
         }
         resting().part(bodies, paths.dt());
+    }
+
+    private int mostHolds() {
+        return resting().isPressed() ? MOST_HOLDS_OF_PRESSED : MOST_HOLDS;
     }
 
     /** Leaves no pair at rest closing, when positions and velocities belong to the same time. */

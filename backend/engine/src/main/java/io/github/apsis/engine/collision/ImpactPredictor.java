@@ -216,7 +216,27 @@ final class ImpactPredictor {
             }
         }
         listGentle(bodies);
+        limitFirstOverlaps(bodies, before);
         return touching.size() > before;
+    }
+
+    /**
+     * What holds a body moves its whole path, so where its partner's begins late, after a bounce, they may be deep in each other there though
+     * they never were: no deeper than where both paths begin.
+     */
+    private void limitFirstOverlaps(Bodies bodies, int before) {
+        if (touching.size() < RestingContacts.CROWD) {
+            return;
+        }
+        ContactGeometry beginnings = approach.contact();
+        for (int k = before; k < touching.size(); k++) {
+            int a = touching.first(k);
+            int b = touching.second(k);
+            if (b >= 0 && !touching.isRecalled(k) && RestingContacts.isDeep(bodies, a, b, touching.firstGap(k))) {
+                beginnings.fill(bodies, a, paths.startX(a), paths.startY(a), b, paths.startX(b), paths.startY(b));
+                touching.limitFirstOverlap(k, Math.min(0, beginnings.gap));
+            }
+        }
     }
 
     private void intrude(Bodies bodies, int i) {

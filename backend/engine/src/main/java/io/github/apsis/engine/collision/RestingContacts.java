@@ -32,6 +32,18 @@ final class RestingContacts {
     /** or one for so many contacts, since a push goes through a deep heap contact by contact. */
     private static final int CONTACTS_PER_ROUND = 100;
 
+    /**
+     * A heap in which somebody is deeper in another than this share of the smaller radius gets all looks and rounds: light bodies between
+     * heavy ones need them.
+     */
+    private static final double DEEP = 0.1;
+
+    /** Fewer contacts are no heap: where they flew radii in a tick it is chance how deep they end, by any of these rules. */
+    static final int CROWD = 32;
+
+    /** Circles that do not overlap touch in a planar graph, which has no more than three edges for each node (Euler). */
+    private static final int CONTACTS_PER_BODY = 3;
+
     /** Without rounding conjugate gradients would need one round for each contact that pushes, and as many for each that changes. */
     private static final int ROUNDS_PER_CONTACT = 20;
 
@@ -69,6 +81,7 @@ final class RestingContacts {
     private final HeapSolver settling = new HeapSolver(STIFFNESS_OF_SETTLING);
     private final ContactPushes pushes = new ContactPushes(solver);
     private boolean isQuiet; // in this tick
+    private boolean isPressed; // somebody is deep in another
 
     // The contacts that are closed at the end of the tick.
     private int[] settled = new int[16];
@@ -91,6 +104,10 @@ final class RestingContacts {
             return;
         }
         isQuiet = isQuiet(bodies, dt);
+        isPressed = false;
+        for (int k = 0; k < touching.size(); k++) {
+            isPressed |= isDeep(bodies, touching.first(k), touching.second(k), touching.firstGap(k));
+        }
         solver.begin(touching.size(), bodies);
         for (int k = 0; k < touching.size(); k++) {
             straighten(bodies, k, dt);
@@ -99,6 +116,7 @@ final class RestingContacts {
         for (int k = 0; k < touching.size(); k++) {
             add(k, guess.impulse(k));
         }
+        giveUpCrushed();
         holdAll(bodies, dt);
         for (int k = 0; k < touching.size(); k++) {
             touching.setHolding(k, solver.impulse(k));
@@ -110,14 +128,36 @@ final class RestingContacts {
         solver.begin(touching.size(), bodies);
         for (int k = 0; k < touching.size(); k++) {
             if (k >= before) {
+                int a = touching.first(k);
+                int b = touching.second(k);
+                isPressed |= isDeep(bodies, a, b, contact.gapNow(bodies, a, b));
                 straighten(bodies, k, dt);
             }
             add(k, k >= before && touching.isRecalled(k) ? touching.holding(k) : 0);
         }
+        giveUpCrushed();
         holdAll(bodies, dt);
         for (int k = 0; k < touching.size(); k++) {
             touching.setHolding(k, (k < before ? touching.holding(k) : 0) + solver.impulse(k));
         }
+    }
+
+    /** Hundreds that are crushed into each other would make a dense factor, a thousand times as dear, and no tick affords their impulses. */
+    private void giveUpCrushed() {
+        boolean crushed = solver.size() >= ImpulseSolver.MANY && solver.size() > CONTACTS_PER_BODY * solver.numbers();
+        isQuiet &= !crushed;
+        isPressed &= solver.size() >= CROWD && !crushed;
+    }
+
+    /** Whether a gap is an overlap that should not be: of more than a tenth of the smaller radius. */
+    static boolean isDeep(Bodies bodies, int a, int b, double gap) {
+        double radius = bodies.radius(a);
+        return -gap > DEEP * (b < 0 ? radius : Math.min(radius, bodies.radius(b)));
+    }
+
+    /** Whether somebody has been found deep in another in this tick. */
+    boolean isPressed() {
+        return isPressed;
     }
 
     /** Parts old overlaps. */
@@ -252,9 +292,9 @@ final class RestingContacts {
         return Math.min(rounds, MOST_ROUNDS);
     }
 
-    /** Whether the heap is a large one that moves. */
+    /** Whether the heap is a large one that moves, and nobody in it is deep in another. */
     private boolean isSolvedInPart(int contacts) {
-        return !isQuiet && contacts >= ImpulseSolver.MANY;
+        return !isQuiet && !isPressed && contacts >= ImpulseSolver.MANY;
     }
 
     /** Measures how much each pair ends too deep; the speed that need not be found is returned. */

@@ -201,6 +201,11 @@ final class Touching {
         return firstGap[k];
     }
 
+    /** Lets a contact have begun with no less than this gap. */
+    void limitFirstOverlap(int k, double gap) {
+        firstGap[k] = Math.max(gap, firstGap[k]);
+    }
+
     /** The impulse that holds a contact through the tick; before it is found, that of the last tick. */
     double holding(int k) {
         return holding[k];
