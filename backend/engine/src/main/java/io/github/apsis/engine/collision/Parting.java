@@ -24,6 +24,9 @@ final class Parting {
 
     private static final double ALLOWED_IN_LARGE = 1e-2;
 
+    /** What is deeper by less than this share of that is not worth its rounds there: a fifth of it in every tick would never end. */
+    private static final double HARDLY = 1e-3;
+
     /** Less than this share of the radii is not worth a factor. */
     private static final double WORTH = 1e-6;
 
@@ -85,6 +88,7 @@ final class Parting {
 
     /** The most by which a pair lies deeper than allowed, as a share of its radii. */
     private double worst(Bodies bodies, double dt) {
+        double hardly = touching.size() < LARGE ? 0 : HARDLY;
         double worst = 0;
         for (int k = 0; k < touching.size(); k++) {
             int a = touching.first(k);
@@ -92,7 +96,9 @@ final class Parting {
             double gap = contact.gapNow(bodies, a, b);
             double size = bodies.radius(a) + (b < 0 ? 0 : bodies.radius(b));
             if (-gap > SLOP * size) { // or it lies no deeper than is allowed anyway
-                worst = Math.max(worst, -(gap + allowed(bodies, a, b, dt)) / size);
+                double most = allowed(bodies, a, b, dt);
+                double beyond = -gap - most;
+                worst = beyond > hardly * most ? Math.max(worst, beyond / size) : worst;
             }
         }
         return worst;

@@ -76,6 +76,7 @@ final class RestingContacts {
     private final Approach approach;
     private final Parting parting;
     private final FirstGuess guess;
+    private final HeapSpins spins;
     private final ImpulseSolver solver = new ImpulseSolver();
     private final HeapSolver holding = new HeapSolver(STIFFNESS_OF_HOLDING);
     private final HeapSolver settling = new HeapSolver(STIFFNESS_OF_SETTLING);
@@ -96,6 +97,7 @@ final class RestingContacts {
         this.contact = new ContactGeometry(walls, period);
         this.parting = new Parting(touching, contact);
         this.guess = new FirstGuess(touching);
+        this.spins = new HeapSpins(touching, paths);
     }
 
     /** Keeps every pair from ending the tick deeper in each other. */
@@ -267,22 +269,32 @@ final class RestingContacts {
 
     /** While a heap still falls, each tick asks for other impulses, and rounds that leave some of them out calm it sooner. */
     private boolean isQuiet(Bodies bodies, double dt) {
+        boolean many = touching.size() >= ImpulseSolver.MANY;
+        if (many) {
+            spins.measure(bodies);
+        }
         double moving = 0;
         double falling = 0;
         for (int k = 0; k < touching.size(); k++) {
             int a = touching.first(k);
             int b = touching.second(k);
-            moving += movingAtStart(bodies, a, b);
+            moving += movingAtStart(bodies, k, many && b >= 0 ? spins.of(bodies.isFixed(a) ? b : a) : 0);
             falling += Paths.acceleration(bodies, a, b) * dt;
         }
         return moving <= QUIET * falling;
     }
 
-    /** How fast two partners moved past each other at the start of the tick, before forces drew anyone into a wall. */
-    private double movingAtStart(Bodies bodies, int a, int b) {
+    /**
+     * How fast two partners moved past each other at the start of the tick, before forces drew anyone into a wall, beyond what turns all
+     * their heap.
+     */
+    private double movingAtStart(Bodies bodies, int k, double spin) {
+        int a = touching.first(k);
+        int b = touching.second(k);
         double wx = (b < 0 ? 0 : paths.vxAt(bodies, b, 0)) - paths.vxAt(bodies, a, 0);
         double wy = (b < 0 ? 0 : paths.vyAt(bodies, b, 0)) - paths.vyAt(bodies, a, 0);
-        return Math.abs(wx) + Math.abs(wy);
+        double turned = spin == 0 ? 0 : spin * (bodies.radius(a) + bodies.radius(b));
+        return Math.abs(wx + turned * touching.normalY(k)) + Math.abs(wy - turned * touching.normalX(k));
     }
 
     private int mostRounds(int contacts) {
