@@ -5,7 +5,7 @@ import io.github.apsis.engine.force.UniformField;
 import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.math.Rng;
 
-/** Three hundred circles of many sizes that fall and come to rest after two thousand ticks or so. */
+/** Circles of many sizes that fall and come to rest; three hundred after two thousand ticks or so. */
 public final class Heaps {
     public static final int CIRCLES = 300;
     public static final double GRAVITY = 10; // length / time²
@@ -18,17 +18,22 @@ public final class Heaps {
     /** They fall into a box. */
     public static World inBox() {
         World world = worldOf(WIDTH);
-        drop(world);
+        drop(world, CIRCLES);
         return world;
     }
 
     /** They fall between a wall and a dam of fixed circles of radius 0.5 at x = 16.5, with a floor to x = 24 behind it. */
     public static World behindDam() {
+        return behindDam(CIRCLES);
+    }
+
+    /** The same with so many. */
+    public static World behindDam(int circles) {
         World world = worldOf(1.5 * WIDTH);
         for (int i = 0; i < 40; i++) {
             world.add(BodyDef.asteroid(WIDTH + 0.5, 0.5 + i, 1, 0.5).fixed());
         }
-        drop(world);
+        drop(world, circles);
         return world;
     }
 
@@ -40,9 +45,9 @@ public final class Heaps {
                 .build());
     }
 
-    private static void drop(World world) {
+    private static void drop(World world, int circles) {
         var rng = new Rng(5);
-        for (int i = 0; i < CIRCLES; i++) {
+        for (int i = 0; i < circles; i++) {
             double r = rng.between(0.3, 0.5);
             world.add(BodyDef.asteroid(0.6 + 1.1 * (i % 14), 0.6 + 1.1 * (i / 14), r * r, r)
                     .moving(rng.between(-1, 1), 0));

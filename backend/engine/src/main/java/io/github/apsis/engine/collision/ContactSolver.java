@@ -93,14 +93,14 @@ public final class ContactSolver {
         }
     }
 
-    /** A heap is solved alike however long it has lain, and one that has lain for long takes no memory for it. */
+    /** A heap is solved alike however long it has lain, and a large one that has lain for long takes no memory for it. */
     private void forgetHeaps() {
         if (touching.size() >= ImpulseSolver.MANY) {
             return; // another heap is being solved
         }
         if (lying.ticks() == 1) {
             resting().forgetHeap();
-        } else if (lying.ticks() == LONG) {
+        } else if (lying.ticks() == LONG && lying.contacts() >= ImpulseSolver.MANY) {
             resting = null;
             touching.shrink();
         }
@@ -139,8 +139,9 @@ public final class ContactSolver {
         }
         if (touching.size() > 0) {
             resting().settle(bodies);
-            if (resting().mayCreep()) {
-                standstill.stop(bodies, heldOnce);
+            double creep = resting().creep();
+            if (creep > 0) {
+                standstill.stop(bodies, creep, heldOnce);
             }
         }
     }

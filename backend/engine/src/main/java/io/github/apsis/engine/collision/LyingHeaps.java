@@ -108,7 +108,7 @@ final class LyingHeaps {
     /** Notes a contact in a heap that lies. */
     void noteContact(int k) {
         if (contacts == first.length) {
-            int capacity = Math.max(touching.size(), contacts + contacts / 8);
+            int capacity = Math.max(touching.size(), contacts + contacts / 8 + 8);
             first = Arrays.copyOf(first, capacity);
             second = Arrays.copyOf(second, capacity);
             holding = Arrays.copyOf(holding, capacity);

@@ -62,6 +62,12 @@ final class RestingContacts {
     /** A heap is quiet when its bodies move past each other no faster than this share of what forces give them in a tick. */
     private static final double QUIET = 0.2;
 
+    /** Impulses that are found to twelve digits and more let a heap creep by 1e-10 of what forces give in a tick, or less. */
+    private static final double CREEP = 1e-9;
+
+    /** Those that are found to nine digits let it creep by 1e-6, and gaps that open and close by that by more. */
+    private static final double CREEP_OF_MANY = 1e-4;
+
     /** What holds a heap is much larger than what its contacts miss in a tick; what settles it is not. */
     private static final double STIFFNESS_OF_HOLDING = 1e5;
 
@@ -235,9 +241,15 @@ final class RestingContacts {
         }
     }
 
-    /** Whether there is a heap in this tick that was solved directly, so that its bodies may creep by what its impulses miss. */
-    boolean mayCreep() {
-        return isQuiet && touching.size() >= ImpulseSolver.MANY;
+    /**
+     * The share of what forces give in a tick by which the bodies of a heap at rest may move for what its impulses miss; 0 for large heaps
+     * that were not solved directly in this tick.
+     */
+    double creep() {
+        if (touching.size() < ImpulseSolver.MANY) {
+            return CREEP;
+        }
+        return isQuiet ? CREEP_OF_MANY : 0;
     }
 
     /** Takes from every pair that touches the closing speed that the end of the tick has left it. */

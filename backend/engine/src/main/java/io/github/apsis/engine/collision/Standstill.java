@@ -4,20 +4,19 @@ import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.spatial.Workspace;
 
 /**
- * What lies still. Impulses of a large heap are right to nine digits, it creeps by what they miss, its contacts change by that, and
+ * What lies still. Impulses are right to some digits, nine in a large heap; it creeps by what they miss, its contacts change by that, and
  * every tick would look for other impulses. So a heap that lies on a wall or on a fixed body stays where it is, to the bit, while none
  * of its bodies is faster than
  *
  * <pre>
- *   |v| ≤ ε |a| dt     ε = 10⁻⁴
+ *   |v| ≤ ε |a| dt
  * </pre>
  *
- * <p>with a the acceleration without contacts. That is a static friction of ε, and it holds heaps as a whole: whoever is pushed by more
- * moves, and with him all that he touches. The next tick starts where this one did: see {@link LyingHeaps}.
+ * <p>with a the acceleration without contacts and ε a share that {@link RestingContacts#creep} tells. That is a static friction of ε, and
+ * it holds heaps as a whole: whoever is pushed by more moves, and with him all that he touches. The next tick starts where this one did:
+ * see {@link LyingHeaps}.
  */
 final class Standstill {
-    private static final double STILL = 1e-4;
-
     // What is true of one of a heap is true of it.
     private static final int MOVES = 1;
     private static final int BORNE = 2;
@@ -41,16 +40,17 @@ final class Standstill {
     /**
      * Puts back what has hardly moved in this tick, and books it to what bears it.
      *
+     * @param creep ε
      * @param drawn whether held bodies were noted where their paths were drawn to
      */
-    void stop(Bodies bodies, boolean drawn) {
+    void stop(Bodies bodies, double creep, boolean drawn) {
         workspace.take(this);
         heap = workspace.ints(0, bodies.count());
         state = workspace.ints(1, bodies.count());
         boolean anySlow = false;
         for (int i = held.next(0); i >= 0; i = held.next(i + 1)) {
             heap[i] = i;
-            state[i] = isSlow(bodies, i) ? 0 : MOVES;
+            state[i] = isSlow(bodies, i, creep) ? 0 : MOVES;
             anySlow |= state[i] == 0;
         }
         if (anySlow) {
@@ -110,11 +110,11 @@ final class Standstill {
         return first;
     }
 
-    private boolean isSlow(Bodies bodies, int i) {
+    private boolean isSlow(Bodies bodies, int i, double creep) {
         double dt = paths.dt();
         double ax = Paths.accelerationX(bodies, i);
         double ay = Paths.accelerationY(bodies, i);
-        double most = STILL * STILL * dt * dt * (ax * ax + ay * ay);
+        double most = creep * creep * dt * dt * (ax * ax + ay * ay);
         double dx = bodies.x(i) - paths.startX(i);
         double dy = bodies.y(i) - paths.startY(i);
         return bodies.vx(i) * bodies.vx(i) + bodies.vy(i) * bodies.vy(i) <= most

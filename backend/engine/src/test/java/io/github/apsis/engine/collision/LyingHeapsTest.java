@@ -12,15 +12,18 @@ import io.github.apsis.engine.body.BodyDef;
 import io.github.apsis.engine.body.BodyId;
 import io.github.apsis.engine.math.Rng;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A heap at rest that nobody touches is not solved: nobody may find that out. */
 class LyingHeapsTest {
-    @Test
-    void a_heap_that_is_struck_goes_on_to_the_bit_as_if_it_had_been_struck_at_once() {
-        World now = Heaps.behindDam();
+    @ParameterizedTest
+    @ValueSource(ints = {30, 100, Heaps.CIRCLES})
+    void a_heap_that_is_struck_goes_on_to_the_bit_as_if_it_had_been_struck_at_once(int circles) {
+        World now = Heaps.behindDam(circles);
         runUntilStill(now);
         now.step(); // the first tick in which it is left alone
-        World later = Heaps.behindDam();
+        World later = Heaps.behindDam(circles);
         runUntilStill(later);
         run(later, (int) later.tick() + 500); // and the memory for solving it is given back
 

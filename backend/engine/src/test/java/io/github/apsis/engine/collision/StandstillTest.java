@@ -7,8 +7,11 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.apsis.engine.Heaps;
 import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSnapshot;
+import io.github.apsis.engine.WorldSpec;
 import io.github.apsis.engine.body.Bodies;
 import io.github.apsis.engine.body.BodyDef;
+import io.github.apsis.engine.force.UniformField;
+import io.github.apsis.engine.math.Aabb;
 import io.github.apsis.engine.spatial.Workspace;
 import org.junit.jupiter.api.Test;
 
@@ -16,7 +19,8 @@ import org.junit.jupiter.api.Test;
 class StandstillTest {
     private static final double G = 10;
     private static final double DT = 1.0 / 150;
-    private static final double STILL = 1e-4 * G * DT; // speed
+    private static final double CREEP = 1e-4;
+    private static final double STILL = CREEP * G * DT; // speed
     private static final int FLOOR = -3;
 
     private final Bodies bodies = new Bodies();
@@ -56,6 +60,24 @@ class StandstillTest {
         assertThat(moved).isGreaterThan(10);
     }
 
+    /** A static friction that could be felt would stop it: of a ten-millionth of its weight here. */
+    @Test
+    void who_slides_alone_on_a_floor_slides_on_however_slowly() {
+        World world = new World(WorldSpec.builder()
+                .law(new UniformField(0, -G))
+                .contacts(0.2)
+                .walls(new Aabb(0, 0, 10, 10), 0.2)
+                .build());
+        double speed = 1e-7 * G * DT;
+        world.add(BodyDef.asteroid(5, 1, 1, 1).moving(speed, 0));
+
+        run(world, 15_000);
+
+        // Each tick adds a path to 5 and rounds: half a unit in the last place.
+        assertThat(world.snapshot().vx(0)).isEqualTo(speed);
+        assertThat(world.snapshot().x(0)).isCloseTo(5 + speed * world.time(), within(15_000 * 0x1p-51));
+    }
+
     @Test
     void what_a_floor_bears_and_hardly_moves_is_put_back_and_booked() {
         int lower = slow(0, 1, 0.9 * STILL);
@@ -74,7 +96,7 @@ class StandstillTest {
     }
 
     @Test
-    void who_is_faster_than_a_ten_thousandth_of_the_weight_goes_on_with_all_he_touches() {
+    void who_is_faster_goes_on_with_all_he_touches() {
         int lower = slow(0, 1, 0.5 * STILL);
         int upper = slow(0, 3, 1.1 * STILL);
         touch(lower, FLOOR);
@@ -140,6 +162,6 @@ class StandstillTest {
         paths.begin(bodies, DT);
         bodies.drift(DT);
         held.note(bodies, touching);
-        standstill.stop(bodies, true);
+        standstill.stop(bodies, CREEP, true);
     }
 }
