@@ -242,6 +242,11 @@ final class ImpulseSolver {
         return matrix.slot(number);
     }
 
+    /** Whether neither partner of a contact has another one that could move it. */
+    boolean isAlone(int k) {
+        return matrix.isAlone(k);
+    }
+
     /** The inverse mass that a body has here. */
     double inverseMass(int number) {
         return matrix.inverseMass(number);

@@ -62,6 +62,9 @@ final class RestingContacts {
     /** A heap is quiet when its bodies move past each other no faster than this share of what forces give them in a tick. */
     private static final double QUIET = 0.2;
 
+    /** Of the speed with which two close at the end of a tick: an impulse that gave them less did not hold them. */
+    private static final double ARRIVING = 1e-6;
+
     /** Impulses that are found to twelve digits and more let a heap creep by 1e-10 of what forces give in a tick, or less. */
     private static final double CREEP = 1e-9;
 
@@ -271,6 +274,24 @@ final class RestingContacts {
         }
     }
 
+    /**
+     * Whether a contact, as it is now, has been held through the tick. Who arrives at its very end may overlap by rounding and be held off by
+     * that; he has his bounce in the next tick.
+     */
+    private boolean isHeld(Bodies bodies, int k) {
+        int a = touching.first(k);
+        int b = touching.second(k);
+        double held = touching.holding(k);
+        return held > 0
+                && (held * contact.inverseMass > ARRIVING * contact.closingSpeed(bodies, a, b)
+                        || isMassless(bodies, a)
+                        || isMassless(bodies, b));
+    }
+
+    private static boolean isMassless(Bodies bodies, int i) {
+        return i >= 0 && bodies.mass(i) == 0 && !bodies.isFixed(i);
+    }
+
     private int solve(HeapSolver heap, Bodies bodies, double rounding) {
         double tolerance = TOLERANCE * solver.size();
         int most = mostRounds(solver.size());
@@ -331,8 +352,10 @@ final class RestingContacts {
             int b = touching.second(k);
             solver.measured(k, (contact.gapNow(bodies, a, b) - Math.min(0, touching.firstGap(k))) / dt);
             farthest = Math.max(farthest, Math.max(Math.abs(bodies.x(a)), Math.abs(bodies.y(a))));
-            fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
-            moving = Math.max(moving, moving(bodies, a, b));
+            if (!solver.isAlone(k)) {
+                fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
+                moving = Math.max(moving, moving(bodies, a, b));
+            }
         }
         return Math.max(ROUNDING * farthest / dt, Math.max(MOVING * moving, FLYING * fastest));
     }
@@ -353,8 +376,10 @@ final class RestingContacts {
             double wx = (b < 0 ? 0 : bodies.vx(b)) - bodies.vx(a);
             double wy = (b < 0 ? 0 : bodies.vy(b)) - bodies.vy(a);
             solver.measured(s, wx * settledX[s] + wy * settledY[s]);
-            fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
-            moving = Math.max(moving, moving(bodies, a, b));
+            if (!solver.isAlone(s)) {
+                fastest = Math.max(fastest, Math.max(Math.abs(bodies.vx(a)), Math.abs(bodies.vy(a))));
+                moving = Math.max(moving, moving(bodies, a, b));
+            }
         }
         return Math.max(MOVING * moving, FLYING * fastest);
     }
@@ -373,7 +398,7 @@ final class RestingContacts {
             contact.fillNow(bodies, a, b);
             double size = bodies.radius(a) + (b < 0 ? 0 : bodies.radius(b));
             boolean closed = contact.gap <= ImpactPredictor.CLOSED * size;
-            if (closed && (touching.holding(k) > 0 || approach.isGentleNow(bodies, a, b, contact))) {
+            if (closed && (isHeld(bodies, k) || approach.isGentleNow(bodies, a, b, contact))) {
                 settled[solver.size()] = k;
                 settledX[solver.size()] = contact.nx;
                 settledY[solver.size()] = contact.ny;

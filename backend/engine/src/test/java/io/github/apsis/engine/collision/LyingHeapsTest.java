@@ -89,6 +89,25 @@ class LyingHeapsTest {
         assertThat(heap.conserved().momentumX() - heap.ledger().momentumX()).isCloseTo(before, within(1e-11));
     }
 
+    @ParameterizedTest
+    @ValueSource(ints = {30, Heaps.CIRCLES})
+    void it_comes_to_rest_beside_one_that_slides_for_ever(int circles) {
+        World heap = Heaps.behindDam(circles);
+        heap.add(BodyDef.asteroid(20, 0.5, 1, 0.5).moving(-1, 0));
+        run(heap, 3000);
+        WorldSnapshot before = heap.snapshot();
+
+        run(heap, 3100);
+
+        WorldSnapshot now = heap.snapshot();
+        int slider = now.count() - 1;
+        assertThat(now.vx(slider)).isCloseTo(0.2, within(150 * 1e-12)); // off the dam, with its rounding in a tick
+        for (int i = 0; i < slider; i++) {
+            assertThat(now.x(i)).as("circle %d", i).isEqualTo(before.x(i));
+            assertThat(now.y(i)).as("circle %d", i).isEqualTo(before.y(i));
+        }
+    }
+
     @Test
     void it_falls_when_somebody_is_taken_from_under_it() {
         World heap = Heaps.behindDam();

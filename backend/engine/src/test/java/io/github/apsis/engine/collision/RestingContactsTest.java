@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.apsis.engine.Command;
+import io.github.apsis.engine.Heaps;
 import io.github.apsis.engine.World;
 import io.github.apsis.engine.WorldSnapshot;
 import io.github.apsis.engine.WorldSpec;
@@ -183,6 +184,21 @@ class RestingContactsTest {
     }
 
     /** Light ones are caught between heavy ones at the floor, under all that follow. */
+    /** It overlaps the dam by rounding there, as it is held off by the rounds that hold the heap which falls meanwhile. */
+    @Test
+    void who_arrives_at_the_very_end_of_a_tick_bounces_in_the_next() {
+        World world = Heaps.behindDam();
+        world.add(BodyDef.asteroid(20, 0.5, 1, 0.5).moving(-1, 0));
+
+        run(world, 377); // 2.5 units to the dam at speed 1 are 375 ticks
+
+        WorldSnapshot now = world.snapshot();
+        int slider = now.count() - 1;
+        double heldOff = 1e-12 * 150; // by the rounding of positions, in one tick
+        assertThat(now.vx(slider)).isCloseTo(0.2, within(heldOff));
+        assertThat(now.x(slider)).isCloseTo(17.5 + 2 * 0.2 / 150, within(1e-11));
+    }
+
     @Test
     void in_a_fall_of_light_and_heavy_circles_nobody_is_driven_into_another_by_more_than_a_quarter_of_its_radius() {
         double radius = 2;
