@@ -35,7 +35,7 @@ final class ContactMatrix {
     private int numbers = 1;
     private int[] slot = new int[17];
     private double[] inverseMass = new double[17];
-    private int[] contacts = new int[17]; // of the body
+    private int[] degree = new int[17]; // contacts of the body
     private double[] velocity = new double[34]; // x, y: what impulses give to the body
 
     private double massless; // inverse mass of a body without mass; 0 until one is asked for
@@ -45,6 +45,7 @@ final class ContactMatrix {
         bodies = all;
         numbered.clear();
         numbers = 1;
+        degree[0] = 0;
         size = 0;
         if (contacts > a.length) {
             int capacity = Math.max(contacts, 2 * a.length);
@@ -65,10 +66,10 @@ final class ContactMatrix {
             if (numbers == slot.length) {
                 slot = Arrays.copyOf(slot, 2 * numbers);
                 inverseMass = Arrays.copyOf(inverseMass, 2 * numbers);
-                contacts = Arrays.copyOf(contacts, 2 * numbers);
+                degree = Arrays.copyOf(degree, 2 * numbers);
                 velocity = new double[4 * numbers];
             }
-            contacts[numbers] = 0;
+            degree[numbers] = 0;
             slot[numbers] = i;
             inverseMass[numbers] = bodies == null ? 0 : inverseMass(bodies, i);
             return numbers++;
@@ -101,8 +102,8 @@ final class ContactMatrix {
         int k = size++;
         a[k] = number(first);
         b[k] = number(second);
-        contacts[a[k]]++;
-        contacts[b[k]]++;
+        degree[a[k]]++;
+        degree[b[k]]++;
         double root = Math.sqrt(inverseMass[a[k]] + inverseMass[b[k]]);
         scale[k] = 1 / root;
         hx[k] = nx / root;
@@ -160,7 +161,7 @@ final class ContactMatrix {
 
     /** Whether neither partner of a contact has another contact, but for walls and fixed bodies. */
     boolean isAlone(int k) {
-        return (contacts[a[k]] == 1 || inverseMass[a[k]] == 0) && (contacts[b[k]] == 1 || inverseMass[b[k]] == 0);
+        return (degree[a[k]] == 1 || inverseMass[a[k]] == 0) && (degree[b[k]] == 1 || inverseMass[b[k]] == 0);
     }
 
     int size() {

@@ -121,9 +121,15 @@ final class ImpactPredictor {
     }
 
     private void predictPairs(Bodies bodies, BroadPhase near, int pairs) {
-        if (mode == ContactMode.EXACT || period != null || lying.areLeftAlone()) {
+        boolean anyMayMeet = mode == ContactMode.EXACT || period != null;
+        if (anyMayMeet || lying.areLeftAlone()) {
+            double most = mostAcceleration * paths.dt() * paths.dt();
             for (int k = 0; k < pairs; k++) {
-                predictUnlessLying(bodies, near.first(k), near.second(k));
+                int a = near.first(k);
+                int b = near.second(k);
+                if (!(lying.contains(a) && lying.contains(b)) && (anyMayMeet || areClose(bodies, a, b, most))) {
+                    predict(bodies, a, b);
+                }
             }
             return;
         }
@@ -135,34 +141,26 @@ final class ImpactPredictor {
         }
     }
 
-    private void predictUnlessLying(Bodies bodies, int a, int b) {
-        if (!lying.contains(a) || !lying.contains(b)) {
-            predict(bodies, a, b);
-        }
-    }
-
-    /**
-     * Leaves out the pairs that do not meet on straight ways through the tick and do not end near each other, which are most. No
-     * branch here depends on what is found, for none could be foretold.
-     */
+    /** Leaves out the pairs that are not close, which are most. No branch here depends on what is found, for none could be foretold. */
     private int findClose(Bodies bodies, BroadPhase near, int from, int to) {
         double most = mostAcceleration * paths.dt() * paths.dt();
         int found = 0;
         for (int k = from; k < to; k++) {
-            int a = near.first(k);
-            int b = near.second(k);
-            double sumOfRadii = bodies.radius(a) + bodies.radius(b);
-            double d0x = paths.startX(b) - paths.startX(a);
-            double d0y = paths.startY(b) - paths.startY(a);
-            double d1x = bodies.x(b) - bodies.x(a);
-            double d1y = bodies.y(b) - bodies.y(a);
             close[found] = k;
-            found += TimeOfImpact.mayTouch(d0x, d0y, d1x - d0x, d1y - d0y, sumOfRadii)
-                            | !Meeting.isBeyond(d1x, d1y, sumOfRadii + most)
-                    ? 1
-                    : 0;
+            found += areClose(bodies, near.first(k), near.second(k), most) ? 1 : 0;
         }
         return found;
+    }
+
+    /** Whether two meet on straight ways through the tick, or end near each other. */
+    private boolean areClose(Bodies bodies, int a, int b, double most) {
+        double sumOfRadii = bodies.radius(a) + bodies.radius(b);
+        double d0x = paths.startX(b) - paths.startX(a);
+        double d0y = paths.startY(b) - paths.startY(a);
+        double d1x = bodies.x(b) - bodies.x(a);
+        double d1y = bodies.y(b) - bodies.y(a);
+        return TimeOfImpact.mayTouch(d0x, d0y, d1x - d0x, d1y - d0y, sumOfRadii)
+                | !Meeting.isBeyond(d1x, d1y, sumOfRadii + most);
     }
 
     /** A path has been bent. */
