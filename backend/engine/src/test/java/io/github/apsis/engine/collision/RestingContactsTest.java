@@ -183,7 +183,6 @@ class RestingContactsTest {
         assertThat(world.conserved().kinetic()).as("seed %d", seed).isLessThan(1e-3 * start);
     }
 
-    /** Light ones are caught between heavy ones at the floor, under all that follow. */
     /** It overlaps the dam by rounding there, as it is held off by the rounds that hold the heap which falls meanwhile. */
     @Test
     void who_arrives_at_the_very_end_of_a_tick_bounces_in_the_next() {
@@ -199,6 +198,7 @@ class RestingContactsTest {
         assertThat(now.x(slider)).isCloseTo(17.5 + 2 * 0.2 / 150, within(1e-11));
     }
 
+    /** Light ones are caught between heavy ones at the floor, under all that follow. */
     @Test
     void in_a_fall_of_light_and_heavy_circles_nobody_is_driven_into_another_by_more_than_a_quarter_of_its_radius() {
         double radius = 2;
